@@ -11,6 +11,13 @@ const formulaOptions = {
     throwOnError: false,
 };
 
+// Doxygen does not tell those who hear a page read which part of it is what.
+for (const [part, role, label] of [["#doc-content", "main"], ["#titlearea", "banner"], ["#side-nav", "navigation", "Contents"],
+    ["#nav-path", "navigation", "Where this page is"], ["div.header .title", "heading"]])
+    for (const element of document.querySelectorAll(part)) Object.assign(element, { role, ariaLabel: label ?? null });
+document.querySelector("div.header .title")?.setAttribute("aria-level", "1");
+for (const icon of document.querySelectorAll("a > .icondoc")) icon.parentElement.ariaLabel = "Source";
+
 function load(tag, attributes) {
     return new Promise((loaded, failed) => {
         const element = Object.assign(document.createElement(tag), attributes);

@@ -81,7 +81,7 @@ public:
     }
 
     /// Damps the velocities of all masses, m/s, over a step of h seconds. Throws
-    /// `std::invalid_argument`. [sweep]
+    /// `std::invalid_argument`.
     void there_and_back(std::span<X> v, Real h) const {
         positive("step", h);
         if (v.size() != inverse_masses_.size()) refuse("velocities: must be one for each mass");

@@ -18,7 +18,7 @@ namespace timestep {
 /// Jacobi's method: turn the axes i and j by the angle that makes a(i, j) zero, for each pair of
 /// them, and again, as each turn brings a little back where an earlier one has been. From the third
 /// round on the little is squared each time; five or six rounds leave nothing. What is found is off
-/// by some ε of the LARGEST eigenvalue. [jacobi]
+/// by some ε of the LARGEST eigenvalue.
 template <class Matrix>
 Matrix eigenvectors(Matrix& a) {
     using Real = real_of<Matrix>;

@@ -37,7 +37,7 @@ struct Root {
 /// counts as a root if the last full correction was short: at most √ε of that largest size. Near a
 /// simple root of a smooth f the next correction would be about the square of this one, some ε, and
 /// the loop would have ended: what is left is roundoff. A least |f| that is as near to zero as that
-/// counts as a root, too. [newton]
+/// counts as a root, too.
 template <class X, class Function, class Jacobian>
 Root<X> newton_raphson(X x, const Function& f, const Jacobian& jacobian) {
     const real_of<X> epsilon = std::numeric_limits<real_of<X>>::epsilon(), digits = 4 * epsilon;

@@ -39,7 +39,7 @@ public:
     }
 
     /// One step of length h, the same in every step: Verlet, and `sweeps` iterations over all
-    /// links. Throws `std::invalid_argument`. [step]
+    /// links. Throws `std::invalid_argument`.
     void step(Real h, int sweeps) {
         positive("step", h), not_negative("sweeps", Real(sweeps));
         for (std::size_t i = 1; i < points_.size(); ++i) {

@@ -58,7 +58,7 @@ Real spectral_radius(const StepMatrix<Real>& a) {
 
 /// The largest h up to `longest` for which no step up to it lets the scene grow, found by
 /// bisection: stable(h) must hold for small h and fail from some h on. Returns `longest` if it
-/// holds there. [bisection]
+/// holds there.
 template <class Real, class Stable>
 Real largest_stable_step(const Stable& stable, Real longest) {
     Real good = 0;

@@ -63,7 +63,8 @@ inline Complex stability_function(const ImplicitMidpoint&, Complex z) {
 // 3y₂ − 4y₁ + y₀ = 2z y₂ is solved by yₙ = Rⁿ where (3 − 2z) R² − 4R + 1 = 0. The roots are
 // (2 ± w)/(3 − 2z) with w = √(1 + 2z); and 3 − 2z = 4 − w² = (2 + w)(2 − w).
 /// BDF2, over two steps: there are two factors, and this is the larger one, which is left in the
-/// long run. [bdf2]
+/// long run.
+/// [bdf2]
 inline Complex stability_function(const Bdf2&, Complex z) {
     return 1.0 / (2.0 - std::sqrt(1.0 + 2.0 * z));
 }

@@ -15,7 +15,7 @@ namespace timestep {
 /// in between.
 ///
 /// Added up from the far end, f + h (f′ + h/2 (f″ + …)): no power of h stands alone, so none can be
-/// too large for a number where its term is not. [series]
+/// too large for a number where its term is not.
 template <std::floating_point Real, std::size_t Extent>
 Real taylor(std::span<const Real, Extent> derivatives, Real h) {
     Real sum = 0;

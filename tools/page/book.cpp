@@ -51,7 +51,7 @@ std::string moved(const std::string& name, const std::string& value, const std::
 std::string chapter_of_book(const fs::path& site, const std::string& page, const std::set<std::string>& pages,
                             std::string& title) {
     const std::string file = page + ".html", html = page::read_file(site / file);
-    title = page::trim(between(html, "<div class=\"title\" role=\"heading\" aria-level=\"1\">", "</div>", file));
+    title = page::trim(between(html, "<div class=\"title\">", "</div>", file));
     std::string text = between(html, "<div class=\"contents\">", "</div><!-- PageDoc -->", file);
     if (const auto toc = text.find("<div class=\"toc\">"); toc != std::string::npos) {
         text.erase(toc, text.find("</div>", toc) + 6 - toc);

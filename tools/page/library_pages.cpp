@@ -6,7 +6,6 @@
 // to the headers that Doxygen's file TAGS names. A parameter without a unit, a header without a group, and a row that
 // stands for nothing are errors.
 
-#include "error.hpp"
 #include "text.hpp"
 
 #include <filesystem>
@@ -26,23 +25,6 @@ struct Unit {
 };
 using Units = std::multimap<std::string, Unit>;
 
-/// The rows of a table below its comment: their cells and line.
-std::vector<std::pair<std::vector<std::string>, int>> rows_of(const fs::path& file, std::size_t cells) {
-    std::vector<std::pair<std::vector<std::string>, int>> rows;
-    int line = 0;
-    for (const std::string& text : page::split_lines(page::read_file(file))) {
-        ++line;
-        if (text.empty() || text.starts_with('#')) {
-            continue;
-        }
-        rows.emplace_back(page::split(text, '\t'), line);
-        if (rows.back().first.size() != cells) {
-            throw page::Error{file.string(), line, "has not " + std::to_string(cells) + " cells"};
-        }
-    }
-    return rows;
-}
-
 /// The unit of `parameter` in `function`: the row that names the function, else the one for all.
 Unit* find_unit(Units& units, const std::string& parameter, const std::string& function) {
     Unit* found = nullptr;
@@ -61,16 +43,9 @@ Unit* find_unit(Units& units, const std::string& parameter, const std::string& f
 }
 
 /// What stands between tags.
-std::string words_of(const std::string& html) {
-    std::string words;
-    bool tag = false;
-    for (const char c : html) {
-        tag = c == '<' || (tag && c != '>');
-        if (!tag && c != '>') {
-            words += c;
-        }
-    }
-    return page::replace_all(page::replace_all(words, "&lt;", "<"), "&gt;", ">");
+std::string words_of(std::string html) {
+    for (std::size_t at; (at = html.find('<')) != std::string::npos;) html.erase(at, html.find('>', at) + 1 - at);
+    return page::replace_all(page::replace_all(html, "&lt;", "<"), "&gt;", ">");
 }
 
 /// The page with the units beside its parameters.
@@ -109,8 +84,7 @@ std::set<std::string> headers_in(const fs::path& tags) {
     std::string name;
     for (const std::string& line : page::split_lines(page::read_file(tags))) {
         const auto inner = [&](const std::string& tag) {
-            const std::size_t begin = line.find("<" + tag + ">"), end = line.find("</" + tag + ">");
-            return end == std::string::npos ? "" : line.substr(begin + tag.size() + 2, end - begin - tag.size() - 2);
+            return page::between(line, "<" + tag + ">", "</" + tag + ">");
         };
         name = inner("name").empty() ? name : inner("name");
         const std::string path = inner("path"), root = "include/timestep/";
@@ -123,7 +97,7 @@ std::set<std::string> headers_in(const fs::path& tags) {
 
 void hold_groups(const fs::path& file, const fs::path& tags) {
     std::set<std::string> headers = headers_in(tags);
-    for (const auto& [cells, line] : rows_of(file, 2)) {
+    for (const auto& [cells, line] : page::rows_of(file, 2)) {
         if (headers.erase(cells[0]) == 0) {
             throw page::Error{file.string(), line, "there is no second header " + cells[0] + ", and perhaps no first"};
         }
@@ -144,7 +118,7 @@ int main(int argc, char** argv) {
         const fs::path site{argv[1]}, folder{argv[3]};
         hold_groups(folder / "groups.tsv", argv[2]);
         Units units;
-        for (const auto& [cells, line] : rows_of(folder / "units.tsv", 3)) {
+        for (const auto& [cells, line] : page::rows_of(folder / "units.tsv", 3)) {
             units.emplace(cells[0], Unit{cells[1], cells[2], line});
         }
         std::set<std::string> missing;

@@ -195,40 +195,39 @@ std::string kind_of(const std::string& word) {
     return in(types) ? "keywordtype" : in(flow) ? "keywordflow" : in(others) ? "keyword" : "";
 }
 
-/// A listing without Doxygen's colours of words, and with ours.
+/// A listing without Doxygen's colours of words.
+std::string without_keywords(const std::string& listing) {
+    static const std::string open = "<span class=\"keyword", close = "</span>";
+    std::string plain;
+    std::size_t done = 0;
+    for (std::size_t at; (at = listing.find(open, done)) != std::string::npos;) {
+        const std::size_t begin = listing.find('>', at) + 1, end = listing.find(close, begin);
+        plain += listing.substr(done, at - done) + listing.substr(begin, end - begin);
+        done = end + close.size();
+    }
+    return plain + listing.substr(done);
+}
+
 std::string with_keywords(const std::string& listing) {
     std::string coloured;
     int inside = 0;  // of comments, texts and links, which have their colour
     for (std::size_t at = 0; at < listing.size();) {
+        std::size_t end = at + 1;
         if (listing.compare(at, 16, "<div class=\"ttc\"") == 0) {  // what is shown beside a link
-            const std::size_t end = listing.find('\n', at);
-            coloured += listing.substr(at, end - at);
-            at = std::min(end, listing.size());
-        } else if (listing.compare(at, 20, "<span class=\"keyword") == 0) {
-            const std::size_t begin = listing.find('>', at) + 1, end = listing.find("</span>", begin);
-            // A part of a longer word: the word goes on behind it.
-            std::string word = listing.substr(begin, end - begin);
-            for (at = end + 7; at < listing.size() && page::in_word(listing[at]);) word += listing[at++];
-            const bool is_part = !coloured.empty() && page::in_word(coloured.back());
-            const std::string kind = is_part ? "" : kind_of(word);
-            coloured += kind.empty() ? word : "<span class=\"" + kind + "\">" + word + "</span>";
+            end = std::min(listing.find('\n', at), listing.size());
         } else if (listing[at] == '<' || listing[at] == '&') {
-            const std::size_t end = listing.find(listing[at] == '<' ? '>' : ';', at);
-            const std::string tag = listing.substr(at, end + 1 - at);
+            end = listing.find(listing[at] == '<' ? '>' : ';', at) + 1;
+            const std::string tag = listing.substr(at, end - at);
             inside += (tag.starts_with("<span") || tag.starts_with("<a ")) - (tag == "</span>" || tag == "</a>");
-            coloured += tag;
-            at = end + 1;
         } else if (page::in_word(listing[at])) {
-            const std::size_t begin = at;
-            while (at < listing.size() && page::in_word(listing[at])) ++at;
-            const std::string word = listing.substr(begin, at - begin);
-            const bool is_part = !coloured.empty() && page::in_word(coloured.back());
-            const bool goes_on = listing.compare(at, 20, "<span class=\"keyword") == 0;
-            const std::string kind = inside > 0 || is_part || goes_on ? "" : kind_of(word);
+            while (end < listing.size() && page::in_word(listing[end])) ++end;
+            const std::string word = listing.substr(at, end - at), kind = inside > 0 ? "" : kind_of(word);
             coloured += kind.empty() ? word : "<span class=\"" + kind + "\">" + word + "</span>";
-        } else {
-            coloured += listing[at++];
+            at = end;
+            continue;
         }
+        coloured += listing.substr(at, end - at);
+        at = end;
     }
     return coloured;
 }
@@ -238,7 +237,7 @@ std::string with_colours(std::string html) {
     for (auto each = listings.rbegin(); each != listings.rend(); ++each) {
         const std::string listing = html.substr(each->begin, each->end - each->begin);
         if (listing.find("<span class=\"") != std::string::npos)  // else it is a command, no C++
-            html.replace(each->begin, listing.size(), with_keywords(listing));
+            html.replace(each->begin, listing.size(), with_keywords(without_keywords(listing)));
     }
     return html;
 }

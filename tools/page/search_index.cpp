@@ -6,7 +6,6 @@
 // the library's names from the file TAGS that Doxygen leaves. Writes SITE/search_places.js: one entry a place, with its
 // address `u`, its title `t`, the title of its page `p` and its words `x`.
 
-#include "error.hpp"
 #include "text.hpp"
 
 #include <filesystem>
@@ -18,6 +17,7 @@
 namespace {
 
 namespace fs = std::filesystem;
+using page::between;
 
 /// The text as a string of JavaScript.
 std::string quoted(const std::string& text) {
@@ -69,12 +69,6 @@ std::string words_of(std::string html) {
     return line;
 }
 
-std::string between(const std::string& text, const std::string& open, const std::string& close, std::size_t from = 0) {
-    const std::size_t begin = text.find(open, from);
-    const std::size_t end = begin == std::string::npos ? begin : text.find(close, begin + open.size());
-    return end == std::string::npos ? "" : text.substr(begin + open.size(), end - begin - open.size());
-}
-
 /// Is that one of the pages that we have written?
 bool has_words(const std::string& name) {
     static const std::set<std::string> pages{"chapter_",  "more_",         "index",         "which_method",
@@ -89,8 +83,7 @@ bool has_words(const std::string& name) {
 /// A page of words, section by section.
 void add_sections(const fs::path& file, Places& places) {
     const std::string html = page::read_file(file), name = file.filename().string();
-    const std::string title =
-        words_of(between(html, "<div class=\"title\" role=\"heading\" aria-level=\"1\">", "</div>"));
+    const std::string title = words_of(between(html, "<div class=\"title\">", "</div>"));
     const std::size_t begin = html.find("<div class=\"textblock\">");
     if (begin == std::string::npos) return;
     const std::string text = html.substr(begin, html.find("<!-- contents -->") - begin);

@@ -52,7 +52,8 @@ Real kinetic_energy(const Inertia& inertia, const RigidState<Real>& s) {
 /// What the gyroscopic torque adds to the angular velocity in `h` seconds, world coordinates in and
 /// out, with the orientation as the rotation matrix `R` that engines keep beside the quaternion.
 /// `Gyroscopic` solves in body coordinates, where the inertia does not change (N47). For a body
-/// without a gyroscopic torque nothing is computed (N41). [change]
+/// without a gyroscopic torque nothing is computed (N41).
+/// [change]
 template <class Gyroscopic, class Inertia, class Real>
 TIMESTEP_INLINE Vector3<Real> gyroscopic_change(const Gyroscopic& solver, const Inertia& inertia,
                                                 const Matrix3<Real>& R, const Vector3<Real>& omega,

@@ -91,7 +91,7 @@ Quaternion<Real> rotated(const Quaternion<Real>& q1, const Vector3<Real>& omega,
 // (h|ω|)³/12 less: no sine, no cosine, and little enough for order two.
 /// The orientation after `h` seconds at the angular velocity `omega`, in rad/s and BODY
 /// coordinates: the other side of the product. With the mean of the old and the new ω it is of
-/// order two. The same bounds hold as for `rotated`. [in_body]
+/// order two. The same bounds hold as for `rotated`.
 template <class Real>
 TIMESTEP_INLINE Quaternion<Real> rotated_in_body(const Quaternion<Real>& q1,
                                                  const Vector3<Real>& omega, Real h) noexcept {

@@ -94,6 +94,7 @@ Course::Course() {
     write(run + "seconds.txt", "420 ms\n");
     write(run + "spiral.svg", "<svg\n width=\"640\" height=\"480\"\n></svg>\n");
     write(run + "sweep.gif", small_gif());
+    write("tools/figures/dark.tsv", "#ffffff\t#1c1d1f\n");
     write("docs/talks.tsv", "N22\tN\tIt spirals, $a<b$.\tNot always.\t\n");
 }
 

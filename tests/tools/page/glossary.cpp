@@ -123,12 +123,3 @@ TEST_CASE("what a chapter prints bold, three words at most with a small first le
         }
     }
 }
-
-TEST_CASE("every chapter leads to the glossary, once") {
-    for (const std::string& page : chapters({"chapter.md"})) {
-        INFO(page.substr(0, page.find('\n')));
-        const std::size_t first = page.find("\\ref glossary ");
-        REQUIRE(first != std::string::npos);
-        CHECK(page.find("\\ref glossary ", first + 1) == std::string::npos);
-    }
-}

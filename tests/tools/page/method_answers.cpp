@@ -58,21 +58,6 @@ TEST_CASE("answers to which method stand in a chapter as a table, one alone as a
     CHECK_THAT(list, ContainsSubstring("<details class=\"why\"><summary>why</summary>\\endhtmlonly " + bumps.why));
 }
 
-// A bar in a cell would end the table.
-TEST_CASE("a row of the answers has two cells") {
-    const Course course;
-    std::string names;
-    for (const timestep::Choice& each : timestep::choices()) names += " " + each.name;
-    int rows = 0;
-    for (const std::string& line : page::split_lines(course.fill_paragraph("{{which" + names + "}}"))) {
-        if (!line.starts_with("| ")) continue;
-        CAPTURE(line);
-        CHECK(std::count(line.begin(), line.end(), '|') == 3);
-        ++rows;
-    }
-    CHECK(rows == 1 + int(timestep::choices().size()));
-}
-
 // The order of the list is that in which timestep::choose() asks.
 TEST_CASE("the page of all answers names each once, in the order of the questions") {
     const std::vector<std::string> named = answers_in(page_of("docs/which_method.md"));
@@ -89,14 +74,4 @@ TEST_CASE("the page of all answers says which line most of a game is") {
     const auto line = 1 + (std::find(named.begin(), named.end(), "swing") - named.begin());
     CHECK_THAT(timestep::choice("swing").have, ContainsSubstring("most of a game"));
     CHECK_THAT(page, ContainsSubstring("Most of a game is line " + std::to_string(line) + " of the first."));
-}
-
-TEST_CASE("the short answers of chapters 3 to 8 are taken from the list") {
-    for (const char* chapter : {"03_euler_variants", "04_verlet", "05_gyroscopic", "06_stability",
-                                "07_error_against_run_time", "08_beyond_the_talk"}) {
-        CAPTURE(chapter);
-        const std::string page = page_of(std::string{"chapters/"} + chapter + "/chapter.md");
-        const std::size_t question = page.find("short answer");
-        CHECK(page.find("{{which ", question) < page.find("\n## ", question));
-    }
 }

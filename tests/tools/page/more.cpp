@@ -131,21 +131,6 @@ TEST_CASE("a figure may stand on a chapter's second page, and numbers go on ther
                ContainsSubstring("Figure\u00a03.3.</span> Round.") && ContainsSubstring("more3_peers"));
 }
 
-TEST_CASE("chapter 7: other people's libraries, heading and figure, are there where one was there") {
-    std::string where;
-    bool heading = false, figure = false;
-    for (const page::Piece& piece :
-         page::scan(page::read_file(std::filesystem::path{SOURCE} / "chapters/07_error_against_run_time/chapter.md"),
-                    "chapter.md")) {
-        if (piece.text.starts_with("where ")) where = piece.text;
-        if (piece.text == "end") where.clear();
-        heading = heading || (where == "where peers" && piece.text.find("{#ch7_peers}") != std::string::npos);
-        figure = figure || (where == "where peers" && piece.text.starts_with("figure peers.svg"));
-    }
-    CHECK(heading);
-    CHECK(figure);
-}
-
 TEST_CASE("figures are found on both of a chapter's pages, from each of them and from elsewhere") {
     const Course course;
     move_sweep(course);
@@ -213,51 +198,4 @@ TEST_CASE("a claim may be taught and drawn on the second page, and the talks lea
     CHECK(error_of(course, "## Steps {#more3_steps}\n{{claims N23}}\n\n" + sweep) ==
           "more.md:4: \"N23\" is none of this chapter's claims");
     CHECK_THAT(course.fill_error(), ContainsSubstring("N22 is claimed, but no section"));
-}
-
-TEST_CASE("the input's name tells which of a chapter's pages it is") {
-    const Course course;
-    move_sweep(course);
-    course.replace(more, sweep, "## Steps {#more3_steps}\n{{claims N22}}\n\n" + sweep);
-    const std::string root = (course / "").string();
-    const Outcome outcome = run_command(
-        std::string{PAGE} + " --source " + root + " --runs " + root + "runs --chapter 03_springs --input " + root +
-        more + " --output " + root + "out/more.md --index " + root + "out/more.tsv --figures " + root + "out/figures");
-    CHECK(outcome.words.empty());
-    REQUIRE(outcome.status == 0);
-    CHECK(course.read("out/more.md").starts_with(title));
-    CHECK(course.read("out/more.tsv") == "N22\tsection\tmore_03.html\tmore3_steps\tSteps\n");
-    CHECK(std::filesystem::exists(course / "out/figures/03_springs/sweep.still.gif"));
-}
-
-TEST_CASE("a draft of a second page has gaps, and says so below its title") {
-    const Course course;
-    move_sweep(course);
-    std::filesystem::remove_all(course / "runs/03_springs");
-    page::Context context{course / "", course / "runs"};
-    context.draft = true;
-    context.set_chapter("03_springs", more);
-    const std::string page = page::fill(context, course.read(more), "more.md");
-    CHECK(page.starts_with("# More on chapter 3 {#more_03}\n\n<div class=\"draft\"><b>This page is being made.</b>"));
-    CHECK_THAT(page, ContainsSubstring("<div class=\"gap\" id=\"fig-sweep-film\">Not there yet"));
-}
-
-TEST_CASE("an answer to which method leads from the second page to the chapter's") {
-    const Course course;
-    const auto all = timestep::choices();
-    const auto one =
-        std::find_if(all.begin(), all.end(), [](const timestep::Choice& each) { return each.where.starts_with("ch"); });
-    REQUIRE(one != all.end());
-    const std::string where = one->where;  // chN_…
-    const std::string number = where.substr(where.find('_') - 1, 1);
-    const std::string folder = "chapters/0" + number + "_springs/";
-    if (number != "3") {
-        std::filesystem::rename(course / "chapters/03_springs", course / folder);
-    }
-    course.write(folder + "more.md", "# More {#more_0" + number + "}\n\n{{which " + one->name + "}}\n");
-    course.write(folder + "chapter.md", "# Springs\n");
-    page::Context context{course / "", course / "runs"};
-    context.set_chapter("0" + number + "_springs", "more.md");
-    CHECK_THAT(page::fill(context, course.read(folder + "more.md"), "more.md"),
-               ContainsSubstring("([chapter " + number + "](@ref " + where + "))"));
 }

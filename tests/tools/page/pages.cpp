@@ -6,7 +6,7 @@
 
 #include "context.hpp"
 #include "error.hpp"
-#include "exercise.hpp"
+#include "directives.hpp"
 #include "fill.hpp"
 
 using Catch::Matchers::ContainsSubstring;
@@ -108,20 +108,6 @@ TEST_CASE("a figure that is drawn for phones, too, is narrow there") {
                           "width=\"480\" height=\"400\"><img src=\"figures/03_springs/spiral.svg\""));
     course.remove(run + "narrow/spiral.svg");
     CHECK_THAT(course.fill_error(), ContainsSubstring("narrow/spiral.svg"));
-}
-
-TEST_CASE("a picture and a film of one name have ids and titles of their own") {
-    const Course course;
-    const std::string run = "runs/03_springs/run/";
-    course.write(run + "sweep.svg", course.read(run + "spiral.svg"));
-    course.write(run + "sweep_film.gif", course.read(run + "sweep.gif"));
-    course.replace("chapters/03_springs/about.json", "\"sweep.gif\"", "\"sweep.gif\", \"sweep.svg\"");
-    const std::string page = course.fill_paragraph("{{figure sweep.svg: Still.}}");
-    CHECK_THAT(page, ContainsSubstring("<figure id=\"fig-sweep\""));
-    CHECK_THAT(page, ContainsSubstring("<figure id=\"fig-sweep-film\""));
-    course.replace("chapters/03_springs/about.json", "\"sweep.svg\"", "\"sweep_film.gif\"");
-    CHECK_THAT(course.paragraph_error("{{figure sweep_film.gif: A film.}}"),
-               ContainsSubstring("another figure on this page has the id fig-sweep-film"));
 }
 
 TEST_CASE("a live panel stands as a picture, and names its module where there is one") {
@@ -235,22 +221,6 @@ TEST_CASE("the page stands under its title, with badges of the talks' rows") {
     CHECK_THAT(page, ContainsSubstring("<a class=\"row\" href=\"talks.html#row_N22\">N22</a>"));
 }
 
-TEST_CASE("reading takes time, but not what is folded away") {
-    const Course course;
-    std::string many;
-    for (int i = 0; i < 1600; ++i) many += "word ";
-    course.replace("chapters/03_springs/chapter.md", "## The code", many + "\n\n## The code");
-    CHECK_THAT(course.fill(), ContainsSubstring("· 10 minutes to read"));
-    course.replace("chapters/03_springs/chapter.md", many, "{{ask: Why?}}\n\n" + many + "\n\n{{answered}}\n");
-    CHECK_THAT(course.fill(), ContainsSubstring("· 5 minutes to read"));
-}
-
-TEST_CASE("what is measured beside the chapters is quoted by its folder") {
-    const Course course;
-    course.write("runs/beside/run/numbers.tsv", "count\t7\t\tsteps\n");
-    CHECK_THAT(course.fill_paragraph("{{beside/count}}"), ContainsSubstring(">7</span>"));
-}
-
 TEST_CASE("chapters know their neighbours") {
     const Course course;
     course.write("chapters/04_more/about.json",
@@ -258,11 +228,6 @@ TEST_CASE("chapters know their neighbours") {
     const std::string page = course.fill();
     CHECK_THAT(page, ContainsSubstring("<span class=\"next\">\\ref chapter_04 \"4 · More\"</span>"));
     CHECK_THAT(page, !ContainsSubstring("class=\"previous\""));
-}
-
-TEST_CASE("after the last chapter comes what to do with it") {
-    CHECK_THAT(Course{}.fill(),
-               ContainsSubstring("<span class=\"next\">\\ref in_your_engine \"In your engine\"</span>"));
 }
 
 TEST_CASE("exercises stand in order on the chapter's page, and in full on pages of their own") {
@@ -309,7 +274,7 @@ TEST_CASE("exercises stand in order on the chapter's page, and in full on pages 
 
     course.write("tests/exercises/03_springs/first/about.json", "{\"number\": 1}");
     CHECK(course.paragraph_error("{{exercises}}") ==
-          "tests/exercises/03_springs/first/about.json:1: \"title\" is missing");
+          "tests/exercises/03_springs/first/about.json:1: \"title\" must be a string");
 }
 
 TEST_CASE("a name that the run does not know is an error at its line") {

@@ -1,8 +1,7 @@
 // Code quoted from sources, and about.json.
 #include "course.hpp"
 #include "error.hpp"
-#include "json.hpp"
-#include "snippet.hpp"
+#include "directives.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
@@ -51,44 +50,4 @@ TEST_CASE("a tag must stand exactly twice, with something between") {
                          Message("nothing stands between the two [a] in a.hpp"));
     CHECK_THROWS_MATCHES(page::quote(course / "", "none.hpp", "a"), std::out_of_range,
                          Message("there is no file none.hpp"));
-}
-
-TEST_CASE("about.json: strings and lists of strings") {
-    const page::Json json = page::parse_json(R"({"a": "x \"y\" \\", "b": [], "c": ["d", "e"]})", "f");
-    CHECK(json.at("a") == std::vector<std::string>{"x \"y\" \\"});
-    CHECK(json.at("b").empty());
-    CHECK(json.at("c") == std::vector<std::string>{"d", "e"});
-}
-
-TEST_CASE("about.json: numbers, true and false, and objects within") {
-    const page::Json json =
-        page::parse_json(R"({"a": -1.5e3, "b": true, "c": {"d": "e", "f": {"g": ["h"]}}, "i": {}})", "f");
-    CHECK(json.at("a") == std::vector<std::string>{"-1500.0"});
-    CHECK(json.at("b") == std::vector<std::string>{"true"});
-    CHECK(json.at("c.d") == std::vector<std::string>{"e"});
-    CHECK(json.at("c.f.g") == std::vector<std::string>{"h"});
-    CHECK(json.size() == 4);
-}
-
-TEST_CASE("about.json: anything else is an error at its line") {
-    const auto error = [](const std::string& text) -> std::string {
-        try {
-            page::parse_json(text, "about.json");
-        } catch (const page::Error& wrong) {
-            return wrong.what();
-        }
-        return "none";
-    };
-    using Catch::Matchers::StartsWith;
-    CHECK_THAT(error("{\n\"a\": b}"), StartsWith("about.json:2: syntax error while parsing value - invalid literal"));
-    CHECK_THAT(error("{\"a\" \"b\"}"), StartsWith("about.json:1: syntax error while parsing object separator"));
-    CHECK_THAT(error("{\"a\":\n\n[\"b\"}"), StartsWith("about.json:3: syntax error while parsing array"));
-    CHECK_THAT(error("{\"a\": \"b\n\""), StartsWith("about.json:1: syntax error while parsing value - invalid string"));
-    CHECK_THAT(error("{} {}"), StartsWith("about.json:1: syntax error while parsing value"));
-    CHECK_THAT(error(""), StartsWith("about.json:1: "));  // in the library's words, of which later ones differ
-    CHECK(error("[]") == "about.json:1: must be an object: { … }");
-    for (const char* value : {"null", "[1]", "[[\"b\"]]"})
-        CHECK(error(std::string{"{\"a\": {\"b\": "} + value + "}}") ==
-              "about.json:1: \"a.b\" must be words, a list of them, a number, true or false");
-    CHECK(error("{\"a\": \"b\"}") == "none");
 }

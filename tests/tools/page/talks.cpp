@@ -3,8 +3,7 @@
 #include "course.hpp"
 #include "error.hpp"
 #include "fill.hpp"
-#include "claims.hpp"
-#include "tagged_tests.hpp"
+#include "directives.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -124,6 +123,6 @@ TEST_CASE("faulty texts of the talks are refused, at their line") {
     };
     CHECK_THAT(message("N01\tN\ta\t\t\nN01\tN\tb\t\t\n"), ContainsSubstring(":2: N01 stands here twice"));
     CHECK_THAT(message("N01\tN\t\t\t\n"), ContainsSubstring(":1: N01 has no text"));
-    CHECK_THAT(message("N01\tN\ta\n"), ContainsSubstring(":1: must be a claim and 4 more fields"));
-    CHECK_THAT(message("N1\tN\ta\t\t\n"), ContainsSubstring(":1: must be a claim"));
+    CHECK_THAT(message("N01\tN\ta\n"), ContainsSubstring(":1: must have 5 cells"));
+    CHECK_THAT(message("N1\tN\ta\t\t\n"), ContainsSubstring(":1: must begin with a claim"));
 }
