@@ -89,9 +89,9 @@ test_bench_says_what_it_cannot_draw_or_print() {
 }
 
 test_each_set_of_flags_has_a_program_of_its_own() {
-    for program in loops_O2 loops_O3_native many_O2 many_O2_native many_O3_native; do
-        printf '#!/bin/sh\necho %s\n' $program >build/tools/bench/bench_$program
-        chmod +x build/tools/bench/bench_$program
+    for name in loops_O2 loops_O3_native many_O2 many_O2_native many_O3_native; do
+        printf '#!/bin/sh\necho %s\n' $name >build/tools/bench/bench_$name
+        chmod +x build/tools/bench/bench_$name
     done
     expect 0 course bench loops
     is "$(cat out)" "$(printf 'loops_O2\nloops_O3_native')"
@@ -108,7 +108,7 @@ test_bench_engines_hands_its_words_over() {
     printf '#!/bin/sh\necho "$@"\n' >build/engines/measure/bench_engines
     chmod +x build/engines/measure/bench_engines
     expect 0 course bench engines --quick --scene top --scene cost --engine ODE --out there
-    is "$(cat out)" '--out there --quick --engine ODE --scene top --scene cost'
+    is "$(cat out)" '--out there --quick --scene top --scene cost --engine ODE'
     says calls '--target bench_engines'
     expect 0 course bench engines
     is "$(cat out)" "--out $folder/build/runs/engines"
