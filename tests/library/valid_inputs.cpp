@@ -1,4 +1,4 @@
-// What an engine asks before it makes a body or a spring of data that it has read: valid(), and half extents by name.
+// valid() tells an engine whether data that it has read makes a body or a spring; and bodies by their half extents.
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
@@ -17,8 +17,8 @@ using namespace timestep;
 
 namespace {
 
-// How often `make` agreed to make it, and how often it refused; valid() must have said so.
-struct Said {
+// How often `make` succeeded, and how often it refused. valid() must agree each time.
+struct Answers {
     int yes = 0, no = 0;
     template <class Make>
     void compare(bool valid, const Make& make) {
@@ -43,9 +43,10 @@ std::array<Real, 15> awkward() {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("valid() says what the constructor takes", "[library]", float, double) {
+TEMPLATE_TEST_CASE("valid() agrees with the constructor", "[library]", float, double) {
     using Real = TestType;
-    Said spring, damped, symmetric, principal, full, uniform, rods, spheres, cubes, cylinders, capsules, staffs, boxes;
+    Answers spring, damped, symmetric, principal, full, uniform, rods, spheres, cubes, cylinders, capsules, staffs,
+        boxes;
     for (const Real a : awkward<Real>()) {
         spring.compare(Spring<Real>::valid(a), [&] { Spring<Real>{a}; });
         uniform.compare(UniformInertia<Real>::valid(a), [&] { UniformInertia<Real>{a}; });
@@ -67,8 +68,8 @@ TEMPLATE_TEST_CASE("valid() says what the constructor takes", "[library]", float
             }
         }
     }
-    // In any axes, about where a body ends: a plate that is a little too thin, a needle, a matrix a little askew, sizes
-    // without an inverse.
+    // In any axes, near the limits of a body: a plate that is slightly too thin, a needle, a matrix slightly off
+    // symmetry, sizes without an inverse.
     std::mt19937_64 random(21);
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> unit(-1, 1);
@@ -91,17 +92,17 @@ TEMPLATE_TEST_CASE("valid() says what the constructor takes", "[library]", float
         principal.compare(PrincipalInertia<Real>::valid(p.x(), p.y(), p.z()),
                           [&] { PrincipalInertia<Real>(p.x(), p.y(), p.z()); });
     }
-    // Neither answer was given by rote.
-    for (const Said& said : {spring, damped, symmetric, principal, full, uniform, rods, spheres, cubes, cylinders,
-                             capsules, staffs, boxes}) {
-        CHECK(said.yes >= 5);
-        CHECK(said.no >= 5);
+    // Both answers have occurred.
+    for (const Answers& answers : {spring, damped, symmetric, principal, full, uniform, rods, spheres, cubes, cylinders,
+                                   capsules, staffs, boxes}) {
+        CHECK(answers.yes >= 5);
+        CHECK(answers.no >= 5);
     }
     CHECK(full.yes >= 1000);
     CHECK(full.no >= 1000);
 }
 
-// Known when compiling: a game's tables of bodies cost nothing when it starts.
+// All of it is known at compile time: a game's tables of bodies cost nothing at start.
 static_assert(Spring(3.0).slope_x() == -9 && DampedSpring(3.0, 0.5).acceleration(1.0, 2.0) == -15);
 static_assert(Spring<float>::valid(3) && !Spring<float>::valid(-3) && !DampedSpring<double>::valid(-1, 0));
 static_assert(sphere(5.0, 1.0).moment == 2 && cube(6.0, 1.0).moment == 1 && rod(12.0f, 1.0f).moment == 1);
@@ -110,7 +111,7 @@ static_assert(about<Axis::y>(staff(12.0, 2.0, 1.0)).about_z.across == 5 && capsu
 static_assert(valid_capsule(1.0, 0.1, 0.5) && !valid_capsule(1.0, 0.0, 0.5) && !valid_sphere(1.0f, 1e-30f));
 static_assert(!UniformInertia<double>::valid(0) && !SymmetricInertia<double>::valid(1, 3));
 
-TEST_CASE("a box by its half extents is the box of twice as much", "[library]") {
+TEST_CASE("a box of half extents equals the box of twice these sides", "[library]") {
     const PrincipalInertia<double> half = box_of_half_extents(12.0, 0.5, 1.0, 1.5), whole = box(12.0, 1.0, 2.0, 3.0);
     CHECK(half.moments == whole.moments);
     CHECK(half.moments == Vector3<double>(13, 10, 5));
