@@ -64,12 +64,14 @@ private:
     UnfinishedFolder folder_;
 };
 
-// Every file below `folder`, relative to it, without hidden files (an editor's) and links (which lead elsewhere).
+// Every file below `folder`, relative to it, without tests, hidden files (an editor's) and links (which lead
+// elsewhere).
 std::vector<fs::path> files_in(const fs::path& folder) {
     std::vector<fs::path> files;
     for (fs::recursive_directory_iterator entry(folder), end; entry != end; ++entry) {
-        const bool hidden = entry->path().filename().string().starts_with(".");
-        if (hidden && entry->is_directory()) entry.disable_recursion_pending();
+        const std::string name = entry->path().filename().string();
+        const bool hidden = name.starts_with(".");
+        if ((hidden || name == "tests") && entry->is_directory()) entry.disable_recursion_pending();
         if (!hidden && !entry->is_symlink() && entry->is_regular_file())
             files.push_back(fs::relative(entry->path(), folder));
     }
