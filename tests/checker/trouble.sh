@@ -16,16 +16,6 @@ test_a_deleted_file_comes_back_by_reset() {
     is "$(ls -A source/exercises/01_derivatives | grep -c velocity_now)" 3
 }
 
-test_reset_brings_back_what_is_no_file_any_more() {
-    for odd in 'mkdir' 'ln -s nowhere' 'mkfifo'; do
-        rm -rf $file
-        $odd $file
-        expect 0 timeout 600 sh -c "$(declared) list"
-        expect 0 timeout 600 sh -c "$(declared) reset velocity_now"
-        cmp -s $file build/exercises/generated/velocity_now_stub.cpp || fail "$odd: not the stub"
-    done
-}
-
 test_odd_files_are_refused_in_one_line() {
     ln -s loop.cpp loop.cpp
     mkfifo fifo
@@ -187,19 +177,6 @@ test_commands_that_are_damaged_say_how_they_are_made_again() {
     expect 1 env FIXTURE_SOURCE="$folder/source" FIXTURE_BUILD="$folder/build" FIXTURE_CMAKE="$folder/cmake" FIXTURE_CTEST=false \
         "$program" check velocity_now
     says out 'not started'
-}
-
-test_paths_are_shown_from_where_one_is() {
-    cd source/exercises/01_derivatives
-    expect 1 course check velocity_now
-    says out 'Your file is velocity_now.cpp.'
-    cd ../02_first_order_form 2>/dev/null || { mkdir ../02_none && cd ../02_none; }
-    expect 1 course check velocity_now
-    says out 'Your file is ../01_derivatives/velocity_now.cpp.'
-    cd /
-    expect_here=$folder/source
-    course check velocity_now >"$folder/out" 2>"$folder/err" && fail 'a stub passes'
-    says "$folder/out" "${expect_here#/}/exercises/01_derivatives/velocity_now.cpp"
 }
 
 # A zombie is gone, too.

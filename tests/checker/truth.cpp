@@ -98,34 +98,6 @@ TEST_CASE("a way that loses digits, and is right all the same, allows as many to
     }
 }
 
-// What remains is the roundoff of the start, now and then none at all: where all that are tried are so lucky, one that
-// is not would be wrong.
-TEST_CASE("another way is right, also where those beside it lose nothing by luck") {
-    std::mt19937_64 random(1);
-    std::uniform_real_distribution<double> goal(-5, 5), size(5, 7);
-    int refused = 0;
-    for (int i = 0; i < 1000000; ++i) {
-        const Numbers arguments{-std::pow(10, size(random)), goal(random)};
-        refused += !is_right(function_of(&arrives), arguments, answer_of(&by_change)(arguments),
-                             {1e-10, function_of(&by_change)}, SpokenOf<double(double, double)>::spoken);
-    }
-    CHECK(refused == 0);
-}
-
-// Of what is nudged half comes out as zero: six of them do together once in 64 times.
-TEST_CASE("what cancels and is cut off below zero is roundoff, too") {
-    std::mt19937_64 random(1);
-    std::uniform_real_distribution<double> stretch(0, 1);
-    int refused = 0;
-    for (int i = 0; i < 100000; ++i) {
-        const double x = stretch(random), k = stretch(random), c = stretch(random);
-        const Numbers arguments{x, k, c, -k * x / c};
-        refused += !is_right(function_of(&tension), arguments, answer_of(&fused_tension)(arguments), {2e-12},
-                             SpokenOf<double(double, double, double, double)>::spoken);
-    }
-    CHECK(refused == 0);
-}
-
 TEST_CASE("another right way passes if it loses no more digits than the roundings of a known way cost") {
     const std::vector<Answer> ways{answer_of(&root_first_that_rounds)};
     using Peaks = double(double, double, double);
@@ -201,27 +173,6 @@ TEST_CASE("a mistake is named where it answers as the learner does, and else by 
     CHECK(named([](double x0, double x1, double h) { return (x1 - x0) / h + x0 * x0; }).empty());
 }
 
-TEST_CASE("a number is written with ten digits, or with as many as make it the same again") {
-    for (const double number :
-         {0.3, 1 / 3.0, 0.1 + 0.2, 1e-5, 5e-324, 1.7e308, 12345678901.0, 0.6 * (1 + 3e-13), -1.0, 100000.0, 0x1p60}) {
-        INFO(number);
-        CHECK(std::strtod(written(number, Digits::all).c_str(), nullptr) == number);
-        CHECK(written(number, Digits::ten).size() <= 16);
-    }
-    CHECK(written(0.3, Digits::all) == "0.3");
-    CHECK(written(100000, Digits::all) == "100000");
-    CHECK(written(0.1 + 0.2, Digits::ten) == "0.3");
-    CHECK(written(HUGE_VAL, Digits::all) == "inf");
-    CHECK(written(std::nan(""), Digits::all) == "nan");
-}
-
-TEST_CASE("a list of another length is no negative of the right one") {
-    const auto three = +[](double x) { return std::vector<double>{x, x, x}; };
-    std::vector<Call> calls;
-    for (double x = 1; x < 10; ++x) calls.push_back({{x}, {2, x, x}, false});
-    CHECK(diagnosed("no_such_exercise", function_of(three), calls).empty());
-}
-
 TEST_CASE("what is right to seven digits is single precision; less wrong or more is not") {
     CHECK(named(&in_float) == "single");
     CHECK(named(&loses_digits) != "single");
@@ -258,30 +209,6 @@ TEST_CASE("a mistake that loses digits has its name in another spelling, too, an
     CHECK(name(+[](double x) { return -std::log(1 / (1 + x)); }) == "lost");
     CHECK(name(+[](double x) { return std::log1p(x) * (1 + 1e-3 * std::sin(1 / x)); }) == "digits");
     CHECK(name(+[](double x) { return double(float(std::log1p(float(x)))); }) == "single");
-}
-
-TEST_CASE("a guard by a hair is no guard at another place, though that loses the digits of nearly as much near by") {
-    const auto mirrored = +[](double x, double floor) { return x >= floor ? x : 2 * floor - x; };
-    static const bool known = register_mistakes(
-        "guard_test",
-        {{"asks_for_zero", function_of(+[](double x, double floor) { return x >= 0 ? x : 2 * floor - x; })}});
-    CHECK(known);
-    std::vector<Call> calls;
-    for (int i = 1; i <= 60; ++i) {
-        const double floor = (i % 3 == 0 ? -0.3 : 0.3) * i, x = floor - 5e-4 * std::fabs(floor),
-                     above = floor + std::fabs(floor);
-        calls.push_back({{x, floor}, {x}, false});
-        calls.push_back({{above, floor}, {above}, true});
-    }
-    CHECK(diagnosed("guard_test", function_of(mirrored), calls) != "asks_for_zero");
-}
-
-TEST_CASE("what is nothing but roundoff is told as zero, as it comes out by hand") {
-    const Truth truth = function_of(&sine);
-    CHECK(without_roundoff(truth, {std::acos(-1)}) == Numbers{0});
-    CHECK(without_roundoff(truth, {0}) == Numbers{0});
-    CHECK(without_roundoff(truth, {1e-12}) == Numbers{std::sin(1e-12)});
-    CHECK(without_roundoff(truth, {3}) == Numbers{std::sin(3.0)});
 }
 
 TEST_CASE("of long rows the place is shown where two differ, and a length that does") {

@@ -58,22 +58,6 @@ TEST_CASE("a limit that is there for one argument is told with the least number 
           "where_below_0_-2.22");
 }
 
-TEST_CASE("and where the answer is right for zero alone, or next to it, that is told, and no least number") {
-    const auto told = [](double nearly) {
-        std::vector<Call> calls;
-        for (int i = -1; i <= 9; ++i)
-            for (int j = -9; j <= 9; ++j) {
-                const double x = i < 0 ? nearly : 0.37 * i, v = 0.37 * j, off = i > 0 ? 0.3 * x * std::cos(v) : 0;
-                calls.push_back({{x, v}, {moved(x, v) + off}, i <= 0});
-            }
-        return diagnosed("wrong_region_test", function_of(&moved), calls);
-    };
-    CHECK(told(0) == "where_nonzero_0");
-    CHECK(told(1e-7) == "where_nonzero_0");
-    CHECK(told(0.01) == "where_above_0_0.37");
-    CHECK(told(-2) == "where_above_0_0.37");
-}
-
 TEST_CASE("what is wrong everywhere, or here and there, is not told to be wrong somewhere") {
     CHECK(named(
               &moved, +[](double x, double v) { return x * v + std::cos(x) + 7.3; })
