@@ -11,7 +11,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "ignored_files.hpp"
 #include "stop.hpp"
 #include "submissions.hpp"
 

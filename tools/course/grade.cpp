@@ -151,9 +151,6 @@ Pile gather(const Grading& grading) {
     return some;
 }
 
-// Verdicts between the processes of a grading: the built files for a check are damaged, build them again.
-const std::string damaged_header = "damaged header", damaged_worker = "damaged worker";
-
 // In a process of its own, on a copy: what was handed in is read only once.
 Grade check_one(const Submission& submission, const Exercise& exercise, const std::string& answer, std::uint64_t seed,
                 const Sandbox* sandbox, int patience) {
@@ -169,9 +166,6 @@ Grade check_one(const Submission& submission, const Exercise& exercise, const st
             replace_all(grade.says, place, exercise.name + ".cpp");
         grade.seconds = verdict.seconds;
         grade.in_time = verdict.in_time;
-    } catch (const Damaged& damaged) {
-        grade.verdict = damaged.header() ? damaged_header : damaged_worker;
-        grade.says = in_one_line(damaged.what());
     } catch (const Stop& stop) {
         if (stop.status() == Status::interrupted) throw;
         grade.says = in_one_line(stop.what());
@@ -213,7 +207,7 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
     std::vector<Grade> grades(pile.answers.size());
     std::vector<std::string> texts(grades.size());
     std::size_t taken_over = 0;
-    std::vector<std::size_t> to_do, once_more, damaged;
+    std::vector<std::size_t> to_do, once_more;
     for (std::size_t i = 0; i < grades.size(); ++i) {
         const HandedIn& answer = pile.answers[i];
         const std::string& name = pile.exercise(i).name;
@@ -238,7 +232,6 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
     if (taken_over > 0) progress.say("  " + std::to_string(taken_over) + " were graded before");
 
     std::size_t done = 0;
-    bool only_header = true;
     const auto work = [&](int patience) {
         return [&, patience](std::size_t i) {
             return check_one(pile.submission(i), pile.exercise(i), texts[i], seed, sandbox, patience);
@@ -248,29 +241,18 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
         grades[i] = grade;  // of a check that ended without a word it has no names
         grades[i].submission = pile.submission(i).name;
         grades[i].exercise = pile.exercise(i).name;
-        if (grade.verdict == damaged_header || grade.verdict == damaged_worker) grades[i].verdict = "course_error";
         journal.keep(grades[i], texts[i]);
     };
     const int jobs =
         grading.jobs > 0 ? grading.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     in_parallel(to_do, jobs, work(1), [&](std::size_t i, const Grade& grade) {
-        if (grade.verdict == damaged_header || grade.verdict == damaged_worker)
-            damaged.push_back(i), only_header = only_header && grade.verdict == damaged_header;
-        else if (!grade.in_time)
+        if (!grade.in_time)
             once_more.push_back(i);  // perhaps it was its neighbours, or the machine is slow
         else
             keep(i, grade);
         progress.now("[" + std::to_string(++done) + "/" + std::to_string(to_do.size()) + "] " + grade.submission + " " +
                      grade.exercise + ": " + grade.verdict);
     });
-    if (!damaged.empty()) {
-        std::map<std::string, Exercise> whose;
-        for (const std::size_t i : damaged) whose.emplace(pile.exercise(i).name, pile.exercise(i));
-        std::vector<Exercise> exercises;
-        for (const auto& [name, exercise] : whose) exercises.push_back(exercise);
-        make_again(exercises, only_header, progress);
-        in_parallel(damaged, jobs, work(2), keep);
-    }
     if (!once_more.empty())
         progress.say("  " + std::to_string(once_more.size()) + (once_more.size() == 1 ? " was" : " were") +
                      " not done in time; once more, one at a time and with more of it");

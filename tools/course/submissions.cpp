@@ -6,7 +6,6 @@
 #include <cstring>
 #include <set>
 
-#include "ignored_files.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
 

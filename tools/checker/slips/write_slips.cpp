@@ -273,28 +273,27 @@ private:
                 return false;
         return true;
     }
-    const Variable* variable_at(std::size_t i) const {
+    // The innermost variable of that name.
+    const Variable* variable_named(const std::string& name, std::size_t i) const {
         const Variable* found = nullptr;
         for (const Variable& each : variables_)
-            if (each.name == text(i) && is_visible(each, i)) found = &each;
+            if (each.name == name && is_visible(each, i)) found = &each;
         return found;
     }
 
     static bool assigns(const std::string& text) {
-        return text == "=" || text == "+=" || text == "-=" || text == "*=" || text == "/=" || text == "|=" ||
-               text == "++" || text == "--";
+        static const std::set<std::string> words{"=", "+=", "-=", "*=", "/=", "|=", "++", "--"};
+        return words.count(text) > 0;
     }
 
     void picks() {
         for (std::size_t i = begin_; i < end_; ++i) {
             if (!is_name(text(i)) || declared_.count(i)) continue;
             const std::string last = text(i - 1), following = text(i + 1);
-            if (last == "." || last == "->" || last == "::" || last == "++" || last == "--" || last == "&" ||
-                last == ">")
-                continue;
-            if (assigns(following) || following == "(" || following == "[" || following == "{" || following == "::")
-                continue;
-            const Variable* variable = variable_at(i);
+            static const std::set<std::string> not_behind{".", "->", "::", "++", "--", "&", ">"},
+                not_before{"(", "[", "{", "::"};
+            if (not_behind.count(last) || not_before.count(following) || assigns(following)) continue;
+            const Variable* variable = variable_named(text(i), i);
             if (!variable || scope_is_capture(i) || changing_.count(text(scope_of(i) - 1))) continue;
             std::size_t end = i;
             std::string type = variable->type, tail;
@@ -337,12 +336,6 @@ private:
             if (count > 0) wrap(i, end, "slip::pick(" + next() + ", ", others + ")");
             i = end;
         }
-    }
-    const Variable* variable_named(const std::string& name, std::size_t i) const {
-        const Variable* found = nullptr;
-        for (const Variable& each : variables_)
-            if (each.name == name && is_visible(each, i)) found = &each;
-        return found;
     }
     bool scope_is_capture(std::size_t i) const {
         const std::size_t open = scope_of(i);
