@@ -110,16 +110,6 @@ test_watch_notices_what_is_saved_during_a_check() {
     kill $running
 }
 
-test_a_compiler_that_does_not_end_is_told_first() {
-    own_build 'echo "$TMPDIR $LC_ALL" >surroundings; : >"$TMPDIR/cc.s"; seq 9000; '"$works_a_little"
-    export FIXTURE_COMPILER_SECONDS=1  # instead of 9
-    expect 1 course check velocity_now
-    is "$(sed -n 3p out)" '  The compiler had not come to an end after 10 s.'
-    read -r temporary locale <surroundings
-    is "${temporary%_*} $locale" "$folder/build/exercises/check C.UTF-8"
-    [ ! -e "$temporary" ] || fail 'the folder of temporary files is still there'
-}
-
 # headers COMMAND: the header compiled beforehand is this fixture's own, and made again by the command.
 headers() {
     export CCACHE_DISABLE=1  # which hides the damage
