@@ -322,6 +322,9 @@ Verdict check_sanitized(const Exercise& exercise, const fs::path& file, std::uin
                    "check --sanitize: the compiler has no AddressSanitizer and no "
                    "UndefinedBehaviorSanitizer to link with");
     Verdict verdict = check_file(exercise, file, seed, {.sanitizers = true});
+    for (const char* report : {"allocation-size-too-big", "rss-limit-exceeded", "out-of-memory"})
+        if (verdict.kind == "crash" && verdict.printed.find(report) != std::string::npos)
+            verdict.kind = "too_much_memory";
     if (verdict.kind != "too_slow") return verdict;
     // Watched, everything takes many times as long. What counts is the check that all others get.
     verdict = check_file(exercise, file, seed);
