@@ -29,7 +29,7 @@ double velocity_now(double x0, double x1, double x2, double h) {
 }
 
 // ---- a crash in a thread
-// velocity_now crash: Line 9:
+// velocity_now crash: Line 8:
 #include "exercise.hpp"
 
 #include <thread>
