@@ -29,11 +29,13 @@ struct Token {
 bool is_name(const std::string& text) {
     return !text.empty() && (std::isalpha(static_cast<unsigned char>(text[0])) || text[0] == '_');
 }
+using Words = std::set<std::string>;
+
 bool is_number(const std::string& text) { return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])); }
 
 std::vector<Token> tokens_of(const std::string& code) {
-    static const std::set<std::string> pairs{"::", "->", "<=", ">=", "==", "!=", "&&", "||",
-                                             "++", "--", "+=", "-=", "*=", "/=", "|=", "%="};
+    static const Words pairs{"::", "->", "<=", ">=", "==", "!=", "&&", "||",
+                             "++", "--", "+=", "-=", "*=", "/=", "|=", "%="};
     std::vector<Token> tokens;
     bool blank = false;
     for (std::size_t i = 0; i < code.size();) {
@@ -96,8 +98,8 @@ public:
 
     // What does not slip safely, or costs more to compile than it is worth.
     bool is_left_out() const {
-        static const std::set<std::string> words{
-            "sort", "inverse", "colPivHouseholderQr", "fullPivLu", "eigenvalues", "remainder", "pair"};
+        static const Words words{"sort",      "inverse", "colPivHouseholderQr", "fullPivLu", "eigenvalues",
+                                 "remainder", "pair"};
         bool seen = false;
         for (std::size_t i = 0; i + 3 < t_.size(); ++i) {
             if (words.count(text(i)) && text(i - 1) != "stable_") return true;
@@ -147,7 +149,7 @@ private:
     }
 
     // The next of `ends` from i on, outside of brackets; or the bracket that closes round i.
-    std::size_t until(std::size_t i, const std::set<std::string>& ends) const {
+    std::size_t until(std::size_t i, const Words& ends) const {
         for (; i + 3 < t_.size(); ++i) {
             const std::string& it = text(i);
             if (ends.count(it) || it == ")" || it == "]" || it == "}") return i;
@@ -157,7 +159,7 @@ private:
     }
 
     bool is_type(std::size_t i) const {
-        static const std::set<std::string> types{"double", "int", "Vector3d", "Matrix3d", "Quaterniond"};
+        static const Words types{"double", "int", "Vector3d", "Matrix3d", "Quaterniond"};
         return types.count(text(i)) && text(i - 1) != "<" && text(i + 1) != ">" && text(i + 1) != ",";
     }
     bool is_state(std::size_t i) const { return text(i) == "State" && text(i + 1) == "<" && text(i + 2) == "double"; }
@@ -282,7 +284,7 @@ private:
     }
 
     static bool assigns(const std::string& text) {
-        static const std::set<std::string> words{"=", "+=", "-=", "*=", "/=", "|=", "++", "--"};
+        static const Words words{"=", "+=", "-=", "*=", "/=", "|=", "++", "--"};
         return words.count(text) > 0;
     }
 
@@ -290,8 +292,7 @@ private:
         for (std::size_t i = begin_; i < end_; ++i) {
             if (!is_name(text(i)) || declared_.count(i)) continue;
             const std::string last = text(i - 1), following = text(i + 1);
-            static const std::set<std::string> not_behind{".", "->", "::", "++", "--", "&", ">"},
-                not_before{"(", "[", "{", "::"};
+            static const Words not_behind{".", "->", "::", "++", "--", "&", ">"}, not_before{"(", "[", "{", "::"};
             if (not_behind.count(last) || not_before.count(following) || assigns(following)) continue;
             const Variable* variable = variable_named(text(i), i);
             if (!variable || scope_is_capture(i) || changing_.count(text(scope_of(i) - 1))) continue;
@@ -369,7 +370,7 @@ private:
     }
 
     void methods() {
-        static const std::set<std::string> known{"norm", "squaredNorm", "normalized", "conjugate"};
+        static const Words known{"norm", "squaredNorm", "normalized", "conjugate"};
         for (std::size_t i = begin_; i < end_; ++i) {
             if (text(i) != "." || !known.count(text(i + 1)) || text(i + 2) != "(" || text(i + 3) != ")" ||
                 text(i + 4) == ".")
@@ -382,9 +383,8 @@ private:
     }
 
     void calls() {
-        static const std::set<std::string> known{"sin",   "cos",  "sqrt", "exp",  "log",  "log1p",
-                                                 "expm1", "exp2", "log2", "cbrt", "fabs", "abs",
-                                                 "floor", "ceil", "pow",  "max",  "min",  "clamp"};
+        static const Words known{"sin",  "cos",  "sqrt", "exp",   "log",  "log1p", "expm1", "exp2", "log2",
+                                 "cbrt", "fabs", "abs",  "floor", "ceil", "pow",   "max",   "min",  "clamp"};
         for (std::size_t i = begin_; i < end_; ++i) {
             if (text(i) == "std" && text(i + 2) == "numbers" && text(i + 4) == "pi") {
                 t_[i].text = "slip::pi()";
@@ -457,12 +457,11 @@ private:
     // An expression once more, without the brackets of a sum in it that is multiplied or divided. Of numbers alone:
     // what else there is may have no such sum.
     void brackets() {
-        static const std::set<std::string> delimiters{
-            "=", "return", ",",  ";",  "(",  "[",  "{",  "}",  "?",  ":",  "<",
-            ">", "<=",     ">=", "==", "!=", "&&", "||", "+=", "-=", "*=", "/="};
+        static const Words delimiters{"=", "return", ",",  ";",  "(",  "[",  "{",  "}",  "?",  ":",  "<",
+                                      ">", "<=",     ">=", "==", "!=", "&&", "||", "+=", "-=", "*=", "/="};
+        static const Words no_numbers{"Vector3d", "Matrix3d", "Quaterniond", "complex"};
         for (std::size_t i = begin_; i < end_; ++i)
-            if (text(i) == "Vector3d" || text(i) == "Matrix3d" || text(i) == "Quaterniond" || text(i) == "complex")
-                return;
+            if (no_numbers.count(text(i))) return;
         std::map<std::size_t, std::vector<std::string>> others;  // of the expressions that begin there
         std::map<std::size_t, std::size_t> ends;
         for (std::size_t i = begin_; i < end_; ++i) {
@@ -534,11 +533,12 @@ private:
 
     // A line that calls something, or gives a variable another value.
     void lines() {
-        static const std::set<std::string> words{"return",   "if",    "for",    "while", "else",  "break",
-                                                 "continue", "const", "static", "auto",  "using", "std"};
+        static const Words words{"return",   "if",    "for",    "while", "else",  "break",
+                                 "continue", "const", "static", "auto",  "using", "std"};
         for (std::size_t i = begin_ + 1; i < end_; ++i) {
+            static const Words ends{";", "{", "}", ")"};
             const std::string& last = text(i - 1);
-            if (last != ";" && last != "{" && last != "}" && last != ")") continue;
+            if (!ends.count(last)) continue;
             if (!is_name(text(i)) || words.count(text(i)) || is_type(i) || is_state(i) || text(scope_of(i)) != "{")
                 continue;
             if (last == ")" && text(other_[i - 1] - 1) != "for") continue;
