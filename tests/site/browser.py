@@ -1,18 +1,15 @@
 #!/usr/bin/env python3
 """Are the pages of the site in order in a browser, opened from their files?
 
-    browser.py SITE    prints a line for each fault; exit status 0 when there is none, 1 when there
-                       is one, 77 (skipped) when Chromium, Selenium, or what makes the site pretty
-                       is not there
+    browser.py SITE [--all]    prints a line for each fault; exit status 0 when there is none, 1 when there is one, 77
+                               (skipped) when Chromium, Selenium, or what makes the site pretty is not there
 
-Every page that somebody has written is opened, every index, and every page with a formula or a figure.
-What Doxygen makes from one template for each source, list of members, class, file and folder is a
-sample: the largest page of each kind and every twentieth, chosen by a hash of what stands in it, so that
-they are others when the pages change. (links.py reads all of them.)
+The largest page of each kind is opened. With --all every page that somebody has written is, every index, every page with
+a formula or a figure, and a twentieth of those that Doxygen makes from one template, chosen by what stands in them.
 
 One headless Chromium opens every page at the width of a phone, in light and in dark mode. A page is
 in order when the console reports no error, no formula stands unset, every image has arrived, nothing makes the
-page scroll sideways, figures are those for phones and in the colours of the page, all words stand out from their ground, and the language, fields and links have names. The search works as well, from a file.
+page scroll sideways, figures are those for phones and in the colours of the page, all words stand out from their ground, and the language, fields and links have names.
 """
 
 import os
@@ -21,12 +18,10 @@ import re
 import shutil
 import sys
 import tempfile
-import time
 import zlib
 
 SKIPPED = 77
 PHONE = (360, 740)  # CSS pixels
-SEARCHED = "SemiImplicitEuler"
 FOLDS = "chapter_03.html"  # has figures and tables that are folded away
 KINDS = {  # of pages made from one template
     "sources": r".*_source\.html",
@@ -241,25 +236,6 @@ class Browser:
         self.driver.get(pathlib.Path(path).resolve().as_uri())
         return self.driver.execute_async_script(LOOK) + self.driver.execute_async_script(LOOK_AT_DESK)
 
-    def search_finds(self, path, word, looks=2400):
-        """Does the search field of this page offer a result for the word? Two minutes are given to it, for the
-        machine may be busy."""
-        from selenium.webdriver.common.by import By
-        self.driver.get(pathlib.Path(path).resolve().as_uri())
-        self.driver.find_element(By.ID, "MSearchField").send_keys(word)
-        for _ in range(looks):
-            frames = self.driver.find_elements(By.CSS_SELECTOR, "iframe#MSearchResults")
-            if frames:  # Doxygen up to 1.9.4 shows results in a frame
-                self.driver.switch_to.frame(frames[0])
-            found = [link.text for link in self.driver.find_elements(By.CSS_SELECTOR, "a.SRSymbol")
-                     if link.is_displayed()]
-            self.driver.switch_to.default_content()
-            if any(word.lower() in text.lower() for text in found):
-                return True
-            time.sleep(0.05)
-        return False
-
-
     def folds_open(self, path):
         """Does an address lead to a place that is folded away, by a link, too, and does paper show what is folded?"""
         address = pathlib.Path(path).resolve().as_uri()
@@ -299,25 +275,25 @@ class Browser:
 
 
 def kind_of(page):
-    return next((kind for kind, names in KINDS.items() if re.fullmatch(names, page)), None)
+    template = next((kind for kind, names in KINDS.items() if re.fullmatch(names, page)), None)
+    return template or re.sub(r"_*\d+", "", page)
 
 
-def sample(site):
+def sample(site, whole):
     """The names of the pages to open, and how many of the site's that are."""
     pages = sorted(name for name in os.listdir(site) if name.endswith(".html"))
     contents = {page: pathlib.Path(site, page).read_bytes() for page in pages}
-    largest = {}
-    for page in pages:
-        largest[kind_of(page)] = max(page, largest.get(kind_of(page), page), key=lambda p: len(contents[p]))
+    largest = {kind_of(page): page for page in sorted(pages, key=lambda page: len(contents[page]))}
     opened = [page for page in pages
-              if kind_of(page) is None or page in largest.values() or zlib.crc32(contents[page]) % 20 == 0
-              or (kind_of(page) != "sources" and SHOWS_SOMETHING.search(contents[page]))]
+              if page in largest.values() or whole and (
+                  kind_of(page) not in KINDS or zlib.crc32(contents[page]) % 20 == 0
+                  or (kind_of(page) != "sources" and SHOWS_SOMETHING.search(contents[page])))]
     return opened, len(pages)
 
 
 def main():
-    if len(sys.argv) != 2:
-        sys.exit("usage: browser.py SITE")
+    if len(sys.argv) != 2 and sys.argv[2:] != ["--all"]:
+        sys.exit("usage: browser.py SITE [--all]")
     if missing():
         print("skipped: " + missing())
         sys.exit(SKIPPED)
@@ -326,23 +302,19 @@ def main():
         if not os.path.exists(os.path.join(site, part)):
             print(f"skipped: the site was made without {part} (package {package})")
             sys.exit(SKIPPED)
-    pages, whole = sample(site)
+    pages, whole = sample(site, len(sys.argv) == 3)
     count = 0
     with Browser() as browser:
         for page in pages:
             for fault in browser.faults(os.path.join(site, page)):
                 print(f"{page}: {fault}")
                 count += 1
-        if not os.path.exists(os.path.join(site, "lunr.min.js")) and \
-                not browser.search_finds(os.path.join(site, "index.html"), SEARCHED):  # else search.py looks
-            print(f"index.html: the search does not find {SEARCHED}")
-            count += 1
         for page in pages:
             if page.startswith(("chapter_", "more_")):
                 for fault in browser.at_a_desk(os.path.join(site, page)):
                     print(f"{page}: {fault}")
                     count += 1
-        chapters = [page for page in pages if re.fullmatch(r"chapter_\d\d[.]html", page)]
+        chapters = [page for page in os.listdir(site) if re.fullmatch(r"chapter_\d\d[.]html", page)]
         for fault in browser.menu_leads(os.path.join(site, "index.html"), chapters):
             print(f"index.html: {fault}")
             count += 1

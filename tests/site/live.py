@@ -1,10 +1,8 @@
 #!/usr/bin/env python3
 """Do the live panels of the site work in a browser, with real events, and do they end on the bits of the programs?
 
-    live.py SITE BUILD [PANEL]    prints a line for each fault; exit status 0 when there is none, 1 when there is
-                                  one, 77 (skipped) when Chromium, Selenium or a panel's module is not there
-    live.py SITE BUILD --share    as before, but what live.js does for every panel alike is asked of every fourth only:
-                                  each panel has its share
+    live.py SITE BUILD [PANEL]    prints a line for each fault; exit status 0 when there is none, 1 when there is one, 77
+                                  (skipped) when Chromium, Selenium or a panel's module is not there
 
 BUILD/chapters/NN_name/live/live_panel are the same panels as programs: what they print is compared.
 """
@@ -46,19 +44,6 @@ def same_bits(page, build, live, source, faults):
                                           f"{readouts}, natively {numbers}")
 
 
-def stands_extremes(page, faults):
-    controls = page.controls()
-    for end in range(2 ** min(len(controls), 6)):
-        words = [f"{c['name']}={c['most'] if end >> i & 1 else c['least']}" for i, c in enumerate(controls)]
-        _, _, broken, refused = page.run(BITS, words + ["steps=500"])
-        faults.unless(broken == 0 and not refused, f"{words}: " + (refused or ("draws what is no number", "draws too much")[broken - 1]))
-        silent = page.run(LIVE + """
-            live.show();
-            const said = live.status.textContent, fuses = count(of.fuses()).filter(i => of.fuse(i) >= 0);
-            return fuses.length ? fuses.map(i => `${live.words(of.fuse_text(i))} at step ${of.fuse(i)}`).filter(words => !said.includes(words)) : said ? [said] : []""")
-        faults.unless(not silent, f"{words}: does not say what has blown up, and when, as it is: {silent}")
-
-
 def goes_and_stops(page, faults):
     run = lambda script, *more: page.run(script, *more)
     faults.unless(page.open(), "does not start")
@@ -87,38 +72,6 @@ def goes_and_stops(page, faults):
     faults.unless(run(STEPS) == there, "steps off screen")
     run("document.getElementById(arguments[0]).scrollIntoView()")
     faults.unless(page.wait(lambda: run(STEPS) > there), "does not go on when it is back on screen")
-
-
-def goes_on_where_it_is_left(page, faults):
-    """What a panel moves by itself stands as soon as the reader takes it, and Play goes on from there."""
-    from selenium.webdriver.common.keys import Keys
-    page.open()
-    moved = page.run(LIVE + "return live.controls.findIndex((c, i) => of.moves(i))")
-    if moved < 0:
-        return
-    name = page.controls()[moved]["name"]
-    page.part(f"#{page.id}-{name}").send_keys(Keys.END + Keys.ARROW_LEFT)
-    taken = page.controls()[moved]["value"]
-    time.sleep(0.3)
-    if page.controls()[moved]["value"] != taken:
-        faults.append(f"moves {name} on though the reader has it")
-        return
-    page.button("Play").click()
-    faults.unless(page.wait(lambda: page.controls()[moved]["value"] != taken), f"Play does not move {name}, which was taken")
-
-
-def says_what_the_shell_would(page, faults):
-    """The line for the shell stays true while it stands open."""
-    page.open()
-    page.button("Stop").click()
-    page.button("Restart").click()
-    page.part("summary").click()
-    for step in range(2):
-        page.button("One step").click()
-    line = page.part("details code").text
-    moved = page.run(LIVE + "return live.controls.some((c, i) => of.moves(i))")
-    words = page.run(LIVE + "return live.set()") if moved else ["steps=2"]
-    faults.unless(all(word in line for word in words), f"after two steps its line for the shell is {line}")
 
 
 def moves(page, action):
@@ -291,24 +244,21 @@ def two_at_once(pages, faults):
         faults.unless(page.wait(lambda: page.run(STEPS) > before), f"{page.id} stands beside another")
 
 
-# What depends on the panel, and what live.js does for each alike.
-OF_A_PANEL = (fits_the_screen, can_be_read, costs_little, says_what_the_shell_would)
-OF_ALL_ALIKE = (by_keyboard, by_finger, goes_on_where_it_is_left, leaves_its_sliders_in_place, says_what_it_took,
-                scrolls_under_a_finger, seen_together, starts_where_it_is, carries_settings, grows_not, keeps_calm,
-                stands_without_scripts)
+LOOKS = (fits_the_screen, can_be_read, costs_little, by_keyboard, by_finger, leaves_its_sliders_in_place, says_what_it_took,
+         scrolls_under_a_finger, seen_together, starts_where_it_is, carries_settings, grows_not, keeps_calm,
+         stands_without_scripts)
 
 
 def main():
     if len(sys.argv) not in (3, 4):
-        sys.exit("usage: live.py SITE BUILD [PANEL | --share]")
-    share = sys.argv[3:] == ["--share"]
+        sys.exit("usage: live.py SITE BUILD [PANEL]")
     if browser.missing():
         print("skipped: " + browser.missing())
         sys.exit(browser.SKIPPED)
     site, build = sys.argv[1:3]
     panels = [(file, *found) for file in sorted(pathlib.Path(site).glob("*.html"))
               for found in PANEL.findall(file.read_text(encoding="utf-8", errors="replace"))
-              if share or len(sys.argv) == 3 or found[0] == sys.argv[3]]
+              if len(sys.argv) == 3 or found[0] == sys.argv[3]]
     if not panels:
         print("skipped: the site has no panel that moves (no compiler for WebAssembly)")
         sys.exit(browser.SKIPPED)
@@ -334,9 +284,7 @@ def main():
             goes_and_stops(page, faults)
             page.open()
             same_bits(page, build, live, (root / "chapters" / live.replace("/", "/live/")).with_suffix(".cpp").read_text(), faults)
-            stands_extremes(page, faults)
-            alike = OF_ALL_ALIKE[len(seen) % 4::4] if share else OF_ALL_ALIKE
-            for look in OF_A_PANEL + alike:
+            for look in LOOKS:
                 look(page, faults)
             faults += ["console: " + entry["message"] for entry in on.driver.get_log("browser") if entry["level"] == "SEVERE"]
             for fault in faults:
