@@ -88,7 +88,7 @@ void declare_bench(CLI::App& app, Asked& asked) {
         app.add_subcommand("bench", "error against run time (work–precision diagrams), every method in every scene");
     Contest& contest = asked.contest;
     bench->add_flag("--quick", contest.quick, "a minute in all");
-    bench->add_option("--scene", contest.scenes, "this scene only; may be given again")
+    bench->add_option("--scene", contest.scenes, "only this scene; repeatable")
         ->type_name("NAME")
         ->allow_extra_args(false);
     bench->add_flag("--json", contest.json, "every run as JSON, for programs");
@@ -102,7 +102,7 @@ void declare_bench(CLI::App& app, Asked& asked) {
     const auto engines =
         table("engines", "gyroscopic rules inside Bullet, ODE, Box3D and Jolt, before and after: two minutes");
     engines->add_flag("--quick", contest.quick, "fewer throws and shorter flights: half a minute");
-    engines->add_option("--scene", contest.scenes, "alone, top, throws, piles or cost only; may be given again")
+    engines->add_option("--scene", contest.scenes, "only alone, top, throws, piles or cost; repeatable")
         ->type_name("NAME")
         ->allow_extra_args(false);
     engines->add_option("--engine", asked.engine, "engines only whose name begins so")->type_name("NAME");
@@ -113,15 +113,16 @@ void declare_grade(CLI::App& app, Asked& asked) {
     const auto grade = app.add_subcommand("grade", "grade a submission, or a folder of them, in isolation");
     Grading& grading = asked.grading;
     grade->add_option("DIR", grading.place, "a submission, or a folder with one in each entry")->required();
-    grade->add_option("--exercise", grading.exercises, "grade this one only; may be given again")
+    grade->add_option("--exercise", grading.exercises, "grade only this exercise; repeatable")
         ->type_name("NAME")
         ->allow_extra_args(false);
     grade->add_option("--out", asked.out, "leave the grades in this folder (NAME.grades)")->type_name("DIR");
     grade->add_option("--seed", asked.seed, "draw the inputs from this seed")->type_name("NUMBER");
-    grade->add_option("--jobs", grading.jobs, "so many at a time (the number of cores)")->check(CLI::Range(1, 256));
-    grade->add_flag("--one", grading.one, "DIR is one submission, whatever it holds");
-    grade->add_flag("--trust", grading.trust, "without isolation: of files that you would run yourself");
-    grade->add_flag("--again", grading.again, "also what has been graded before");
+    grade->add_option("--jobs", grading.jobs, "submissions at the same time (default: the number of cores)")
+        ->check(CLI::Range(1, 256));
+    grade->add_flag("--one", grading.one, "DIR is one submission, whatever is in it");
+    grade->add_flag("--trust", grading.trust, "without isolation: only for files that you would run yourself");
+    grade->add_flag("--again", grading.again, "also submissions that have been graded before");
     grade->footer(
         "A submission is a folder that holds exercises/CHAPTER/NAME.cpp or NAME.cpp, or a single file.\n"
         "A run that was stopped goes on where it was. Exit status 1: graded, and not all is right.");
@@ -146,20 +147,21 @@ void declare(CLI::App& app, Asked& asked) {
 
     app.add_subcommand("tour", "build everything, run every chapter, make the site");
     const auto test = app.add_subcommand("test", "build everything and run the tests");
-    test->add_flag("--all", asked.all,
-                   "and those that take their time; install all extras first; a skipped check counts as failed");
-    test->add_flag("--release", asked.release, "as --all, and on other platforms and at length: before a release");
+    test->add_flag(
+        "--all", asked.all,
+        "also tests that take longer; installs all optional packages first; a skipped test counts as failed");
+    test->add_flag("--release", asked.release, "like --all, and also other platforms and long tests, for a release");
     app.add_subcommand("list", "the chapters and the exercises")
         ->add_flag("--json", asked.json, "as JSON, for programs");
     const auto run = app.add_subcommand("run", "run a chapter's program, and draw its picture");
     run->add_option("CHAPTER", asked.chapter, "number or name, as ./course list shows them")->required();
-    run->add_flag("--study", asked.study, "and all that the chapter measures besides: its page's numbers and figures");
+    run->add_flag("--study", asked.study, "also run the study, which measures the page's numbers and figures");
     run->add_option("--out", asked.out, "leave data, numbers and figures in this folder")->type_name("DIR");
     run->footer(
-        "What stands after -- goes to the chapter's study; its options:\n"
+        "The words after -- go to the chapter's study. Its options:\n"
         "  ./course run 3 --study -- --help");
     app.add_subcommand("where", "the line that wrote a number, check, data file or figure of a page")
-        ->add_option("NAME", asked.name, "as on the page's source, with its chapter: 03/energy_mean")
+        ->add_option("NAME", asked.name, "as in the page's source, with its chapter: 03/energy_mean")
         ->required();
     const auto with_exercise = [&](const char* name, const char* words,
                                    const char* which = "name, number (1.1) or file of the exercise") {
@@ -173,12 +175,11 @@ void declare(CLI::App& app, Asked& asked) {
         with_exercise("check", "check your answer to an exercise, or to all begun, of a chapter or of the course",
                       "name, number (1.1) or file of the exercise; or of a chapter: number (1) or name")
             .first;
-    check->add_option("--file", asked.file, "this file's answer instead of yours, and do not count it")
+    check->add_option("--file", asked.file, "check this file instead of yours; a pass does not count")
         ->type_name("FILE");
     check->add_option("--seed", asked.seed, "draw the same inputs as the check that named this seed")
         ->type_name("NUMBER");
-    check->add_flag("--sanitize", asked.sanitize,
-                    "find what does not show in the numbers: memory errors, undefined behaviour");
+    check->add_flag("--sanitize", asked.sanitize, "also find memory errors and undefined behaviour");
     check->add_flag("--json", asked.json, "as JSON, for programs");
     with_exercise("watch", "check again whenever you save, and go on after a pass");
     with_exercise("hint", "the next hint to an exercise").second->required();
