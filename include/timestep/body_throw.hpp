@@ -141,8 +141,7 @@ Thrown throw_body(const Rule& rule, const PrincipalInertia<double>& inertia,
                   const Vector3<double>& omega, Frames frames, double seconds = 10,
                   long most_steps = 60'000) {
     const double orientation_seconds = 2, spin = omega.norm();
-    PrincipalInertia<double> body = inertia;
-    body.moments = body.unit;  // moments of any size: no energy overflows
+    const PrincipalInertia<double> body = inertia.scaled_to_one();
     const SpinState<double> start{0, Quaternion<double>::Identity(), omega};
     const ExactFreeBody<double> exact(body, in_world(start));
     const auto mine = detail::prepared(rule, body);
@@ -188,8 +187,7 @@ Thrown throw_body(const Rule& rule, const PrincipalInertia<double>& inertia,
 TIMESTEP_WHERE_CALLED
 Thrown throw_exactly(const PrincipalInertia<double>& inertia, const Vector3<double>& omega,
                      double seconds = 10) {
-    PrincipalInertia<double> body = inertia;
-    body.moments = body.unit;
+    const PrincipalInertia<double> body = inertia.scaled_to_one();
     const ExactFreeBody<double> exact(body,
                                       RigidState<double>{0, Quaternion<double>::Identity(), omega});
     Thrown thrown;

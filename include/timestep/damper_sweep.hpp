@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Many dampers, solved one after another, there and back.
+/// Many dampers, solved one after another, in a sweep there and back.
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +19,8 @@ namespace timestep {
 /// Dampers between masses. Each divides the velocity at which its two masses part, along its
 /// direction n, by 1 + h c (1/m_a + 1/m_b): the damping at the new velocity of chapter 3. Where
 /// dampers share a mass and are divided once each, one after another, the result depends on their
-/// order, and with springs it may grow without bound. This sweep takes the square root of each
-/// division on the way there, and the other root on the way back.
+/// order, and with springs it may grow without bound. This sweep divides by the square root on the
+/// way there, and by the other square root on the way back.
 ///
 /// Use it in semi-implicit Euler, after the forces and before the positions:
 ///
@@ -50,7 +50,7 @@ public:
     using Real = real_of<X>;  ///< the real number type
 
     /// Takes the inverses of the masses, 1/kg, zero or more. A mass with inverse zero is held: no
-    /// damper changes its velocity, whatever that is. Throws `std::invalid_argument`.
+    /// damper changes its velocity. Throws `std::invalid_argument`.
     explicit DamperSweep(std::vector<Real> inverse_masses)
         : inverse_masses_(std::move(inverse_masses)) {
         for (const Real one : inverse_masses_) not_negative("inverse mass", one);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// How far off a slope from differences may be, and the step that makes the best of it (N01, N08).
+/// The error bound of a slope from differences, and the step that minimises it (N01, N08).
 
 #include <cmath>
 
@@ -8,7 +8,7 @@
 
 namespace timestep {
 
-/// The most that `formula` can be off at step `h`, when each value of f is off by up to `noise` and
+/// The largest error of `formula` at step `h`, if each value of f is off by up to `noise` and
 /// `next` bounds the next derivative |f⁽ᵖ⁺¹⁾| over the points used (p is the formula's order).
 ///
 /// Noise is whatever rounds the values: the last digit of a float, the grid of a compressed

@@ -15,7 +15,7 @@
 
 namespace timestep {
 
-/// What a function `F` returns for a real number: a number, or a vector.
+/// The value that a function `F` returns for a real number: a number or a vector.
 template <class F, class Real>
 using value_of = std::decay_t<std::invoke_result_t<const F&, Real>>;
 
@@ -98,9 +98,8 @@ inline constexpr BackwardDifference backward_difference;     ///< the formula as
 inline constexpr CentralDifference central_difference;       ///< the formula as a value
 inline constexpr FivePointDifference five_point_difference;  ///< the formula as a value
 
-/// The step that is really taken: `x + h` is rounded to a number that `Real` has, and this is how
-/// far that number lies from `x`. Zero when `h` is too small to move `x` at all.
-/// [step_taken]
+/// The step that is taken after rounding: `x + h` is rounded to a `Real`, and this is its distance
+/// from `x`. Zero if `h` is too small to change `x`. [step_taken]
 template <std::floating_point Real>
 Real step_taken(Real x, Real h) {
     const Real next = x + h;

@@ -1,8 +1,7 @@
 #pragma once
 /// \file
-/// The eigenvalues and eigenvectors of a symmetric matrix. Eigen is used where the caller brings
-/// its matrices, and not included here. (Its own solver takes a second or more to compile, in every
-/// file.)
+/// The eigenvalues and eigenvectors of a symmetric matrix. This works on Eigen's matrices but does
+/// not include Eigen, whose own solver takes a second or more to compile in every file.
 
 #include <cmath>
 #include <utility>
@@ -11,14 +10,14 @@
 
 namespace timestep {
 
-/// Turns symmetric `a` into a diagonal matrix, its eigenvalues, rising; returns its eigenvectors,
-/// in columns at right angles, of length one: eigenvectors · a · eigenvectorsᵀ is the matrix that
-/// was. `a` has a size known at compile time, and finite numbers.
+/// Replaces the symmetric matrix `a` by the diagonal matrix of its eigenvalues, rising. Returns its
+/// eigenvectors as columns, perpendicular and of length one: eigenvectors · a · eigenvectorsᵀ is
+/// the original matrix. The size of `a` is known at compile time, and its numbers are finite.
 ///
-/// Jacobi's method: turn the axes i and j by the angle that makes a(i, j) zero, for each pair of
-/// them, and again, as each turn brings a little back where an earlier one has been. From the third
-/// round on the little is squared each time; five or six rounds leave nothing. What is found is off
-/// by some ε of the LARGEST eigenvalue.
+/// Jacobi's method rotates the axes i and j by the angle that makes a(i, j) zero, for each pair,
+/// and repeats this, because each rotation changes the zeros of earlier ones a little. From the
+/// third round on the rest is squared each time; five or six rounds leave nothing. The eigenvalues
+/// are off by a few ε of the LARGEST.
 template <class Matrix>
 Matrix eigenvectors(Matrix& a) {
     using Real = real_of<Matrix>;
@@ -37,15 +36,15 @@ Matrix eigenvectors(Matrix& a) {
                 a(i, i) -= t * a(i, j);
                 a(j, j) += t * a(i, j);
                 a(i, j) = a(j, i) = 0;
-                const auto turn = [&](Real& u, Real& v) {
+                const auto rotate = [&](Real& u, Real& v) {
                     const Real old = u;
                     u = c * old - s * v;
                     v = s * old + c * v;
                 };
                 for (int k = 0; k < n; ++k) {
-                    turn(axes(k, i), axes(k, j));
+                    rotate(axes(k, i), axes(k, j));
                     if (k == i || k == j) continue;
-                    turn(a(k, i), a(k, j));
+                    rotate(a(k, i), a(k, j));
                     a(i, k) = a(k, i);
                     a(j, k) = a(k, j);
                 }

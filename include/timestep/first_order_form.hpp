@@ -52,7 +52,7 @@ auto stacked(const State<X>& s) {
     return FirstOrder<decltype(detail::stack(s.x, s.v))>{s.t, detail::stack(s.x, s.v)};
 }
 
-/// The body's state in an array y = (x, v) of even size: two numbers, or two vectors.
+/// The state that an array y = (x, v) of even size holds: two numbers, or two vectors.
 template <class Y>
 auto unstacked(const FirstOrder<Y>& s) {
     using X = detail::Half<Y>;
@@ -64,8 +64,8 @@ auto unstacked(const FirstOrder<Y>& s) {
 }
 
 /// A force as a first-order system ẏ = f(t, y) with y = (x, v), so that ẏ = (v, a(x, v)) (N16,
-/// I04). A solver that steps it need not know which numbers are positions; and several such
-/// systems, one after the other in one array, are a system again.
+/// I04). A solver need not know which numbers are positions. Several such systems, one after
+/// another in one array, are a system again.
 template <class Model>
 struct FirstOrderForm {
     Model model;  ///< the force
@@ -83,7 +83,7 @@ struct FirstOrderForm {
     }
     /// [rate]
 
-    /// ∂f/∂y: on top the ones of ẋ = v, below them the slopes of the force.
+    /// ∂f/∂y: in the upper rows the ones of ẋ = v, in the lower rows the slopes of the force.
     template <class Y>
     auto slope_y(real_of<Y> t, const Y& y) const requires SmoothForce<Model, detail::Half<Y>> {
         constexpr int n = detail::size_of<Y>() / 2;

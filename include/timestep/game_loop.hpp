@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The game loop: frames come when they come, the simulation goes on in steps of one size.
+/// The game loop: frames of any length, and a simulation in steps of one size.
 
 #include <cmath>
 
@@ -10,27 +10,27 @@ namespace timestep {
 
 /// A fixed time step behind any frame rate (I02).
 ///
-/// The time that passes on the player's clock is owed to the simulation. Each frame pays it in
-/// whole steps; what is left, less than a step, stays owed. So the state after step n depends on n
-/// and on the inputs of the steps, never on the frames: it is the same bit for bit at 30 and at
-/// 144 frames a second. (Inputs that come with a frame belong to the next step; a replay stores
-/// their steps.)
+/// The loop accumulates the time that passes on the player's clock. Each frame takes as many whole
+/// steps as fit, and the rest, less than a step, stays in the accumulator. So the state after step
+/// n depends on n and on the inputs of the steps, never on the frames: it has the same bits at 30
+/// and at 144 frames per second. (Inputs that arrive with a frame belong to the next step; a replay
+/// stores their steps.)
 ///
-/// When steps take longer to compute than the time they simulate, each frame owes more than the
-/// one before: the spiral of death. The cap `most_steps` ends it. What is owed beyond it is
-/// dropped, and the game runs slower than the clock instead of not at all.
+/// If steps take longer to compute than the time they simulate, each frame has more to do than the
+/// one before: the spiral of death. The cap `most_steps` ends it. Time beyond the cap is dropped,
+/// and the game runs slower than the clock instead of not at all.
 template <class Real>
 class GameLoop {
 public:
-    /// `step` in s, above zero; at most `most_steps` a frame, one or more.
+    /// `step` in s, above zero; at most `most_steps` per frame, one or more.
     /// Throws `std::invalid_argument`.
     GameLoop(Real step, long most_steps) : step_(positive("step", step)), most_steps_(most_steps) {
         if (most_steps < 1) refuse("most steps", static_cast<double>(most_steps), "one or more");
     }
 
-    /// Call once a frame with the seconds since the last one. Calls `simulate(h)` for each step
-    /// that is due and returns how many there were. Throws `std::invalid_argument` when `passed`
-    /// is negative or not finite, or more than a number can hold with what is owed.
+    /// Call this once per frame with the seconds since the last one. Calls `simulate(h)` for each
+    /// step that is due and returns their number. Throws `std::invalid_argument` if `passed` is
+    /// negative or not finite, or if the accumulated time is too large for a number.
     /// [frame]
     template <class Simulate>
     long frame(Real passed, Simulate&& simulate) {
@@ -46,18 +46,19 @@ public:
     }
     /// [frame]
 
-    /// How far the player's clock is past the last step, as a part of a step: from 0, below 1.
+    /// The accumulated time as a part of a step, from 0 to below 1: how far the player's clock is
+    /// past the last step.
     Real alpha() const { return owed_ / step_; }
 
-    /// Steps taken since the start; inside `simulate`, those before this one.
+    /// The number of steps since the start; inside `simulate`, the number before this one.
     long steps() const { return steps_; }
 
-    /// The simulated time, s. Counted, not added up: `steps() * step` is rounded once (twice when
-    /// the type cannot hold the count, in `float` from 2²⁴ steps on), while adding
-    /// a step to a clock rounds every time, and in `float` the errors show within the hour.
+    /// The simulated time, s. It is counted, not added up: `steps() * step` is rounded once (twice
+    /// if the type cannot hold the count, in `float` from 2²⁴ steps on). Adding a step to a clock
+    /// rounds every time, and in `float` the errors show within an hour.
     Real time() const { return static_cast<Real>(steps_) * step_; }
 
-    /// The time, in s, that the cap has kept from being simulated.
+    /// The time, s, that the cap has dropped.
     Real dropped() const { return dropped_; }
 
 private:
@@ -79,9 +80,8 @@ template <class Real>
 GameLoop(Real, long) -> GameLoop<Real>;
 /// \endcond
 
-/// The state to draw, a part `alpha` of the way from the last state but one to the last. The
-/// picture is one step late, and moves evenly at any frame rate.
-/// [interpolate]
+/// The state to draw: a part `alpha` (0 to 1) of the way from the last state but one to the last.
+/// The picture is one step late and moves evenly at any frame rate. [interpolate]
 template <class X>
 State<X> interpolate(const State<X>& before, const State<X>& now, real_of<X> alpha) {
     const real_of<X> rest = 1 - alpha;

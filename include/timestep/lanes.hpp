@@ -1,12 +1,12 @@
 #pragma once
 /// \file
-/// Several real numbers in one, a SIMD vector: the formulas of a step, unchanged, take many bodies
-/// at once.
+/// Several real numbers in one SIMD vector: the unchanged formulas of a step move many bodies at
+/// once.
 ///
-/// A processor adds eight or sixteen numbers as fast as one. `Lanes<float, 8>` is eight of them
+/// A processor adds eight or sixteen numbers as fast as one. `Lanes<float, 8>` holds eight numbers
 /// that add, multiply and divide as one number does, lane by lane. So `Spring<Lanes<float, 8>>` is
-/// eight springs, and every template of this library steps them by the source that steps one. What
-/// is vectorised is decided by the type, not by the optimiser's mercy.
+/// eight springs, and every template of this library steps them with the source that steps one. The
+/// type decides what is vectorised, not the optimiser.
 
 #include <cmath>
 #include <cstddef>
@@ -34,7 +34,7 @@ inline constexpr int register_bytes = 32;
 inline constexpr int register_bytes = 16;
 #endif
 
-// Where the compiler knows no vectors: an array, and the hope that it sees through the loops.
+// For compilers without vector types: an array, whose loops the optimiser may vectorise.
 template <class Real, int N>
 struct ArrayPack {
     Real number[std::size_t(N)];
@@ -80,22 +80,22 @@ using Pack = ArrayPack<Real, N>;
 }  // namespace detail
 /// \endcond
 
-/// So many numbers the processor adds at once, by the compiler's flags: with -march=native it uses
-/// all that it has.
+/// The number of lanes that the processor adds at once, by the compiler's flags: with -march=native
+/// its full width.
 template <class Real>
 inline constexpr int native_width = detail::register_bytes / int(sizeof(Real));
 
-/// `N` real numbers, a power of two, in one value. Comparisons have no one answer for all lanes and
-/// do not exist: a formula with a branch does not compile. Where Eigen's vectors hold them, `N` is
-/// at most the native width.
+/// `N` real numbers (a power of two) in one value. There are no comparisons, because lanes may
+/// differ: a formula with a branch does not compile. In Eigen's vectors, `N` is at most the native
+/// width.
 template <class Real, int N = native_width<Real>, class Pack = detail::Pack<Real, N>>
 class Lanes {
 public:
-    using Number = Real;             ///< of a lane
-    static constexpr int lanes = N;  ///< how many there are
+    using Number = Real;             ///< the number in a lane
+    static constexpr int lanes = N;  ///< the number of lanes
 
     Lanes() = default;
-    /// The same number in every lane.
+    /// Puts `all` into every lane.
     TIMESTEP_INLINE Lanes(Real all) : pack_(all - Pack{}) {}  // −0 − 0 is −0; −0 + 0 is not
 
     /// The number in lane `i`.
@@ -123,7 +123,7 @@ public:
     TIMESTEP_INLINE Lanes& operator/=(const Lanes& b) { return *this = *this / b; }
     /// \endcond
 
-    /// √, in one instruction where compiler and processor have it for so many lanes.
+    /// √ of every lane, in one instruction if compiler and processor have it for this width.
     TIMESTEP_INLINE friend Lanes sqrt(const Lanes& a) {
 #if defined(__GNUC__) && defined(__AVX512F__)
         // g++ 12 warns of the forms without a mask (GCC bug 105593).
@@ -146,20 +146,20 @@ public:
 #endif
         return a.each([](Real x) { return std::sqrt(x); });
     }
-    /// ∛, lane by lane: no processor has an instruction for it.
+    /// ∛ of every lane, one after another: no processor has an instruction for it.
     friend Lanes cbrt(const Lanes& a) {
         return a.each([](Real x) { return cube_root(x); });
     }
-    /// The sine, lane by lane.
+    /// The sine of every lane.
     friend Lanes sin(const Lanes& a) {
         return a.each([](Real x) { return sine_cosine(x).sine; });
     }
-    /// The cosine, lane by lane.
+    /// The cosine of every lane.
     friend Lanes cos(const Lanes& a) {
         return a.each([](Real x) { return sine_cosine(x).cosine; });
     }
 
-    /// Both, lane by lane.
+    /// Sine and cosine of every lane.
     friend SineCosine<Lanes> sine_cosine(const Lanes& a) {
         SineCosine<Lanes> of;
         for (int i = 0; i < N; ++i) {
@@ -180,7 +180,7 @@ private:
     Pack pack_;
 };
 
-/// A pack is a number wherever the library asks for one.
+/// A pack counts as a number in the library.
 template <class Real, int N, class Pack>
 inline constexpr bool is_number<Lanes<Real, N, Pack>> = true;
 

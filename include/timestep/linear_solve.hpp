@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The operations in which a number and a matrix differ when an implicit method solves for
-/// its new state. Eigen is used where the caller brings Eigen types, and not included here.
+/// The operations in which numbers and matrices differ when an implicit method solves for its new
+/// state. They work on Eigen's types but do not include Eigen.
 
 #include <cmath>
 #include <type_traits>
@@ -30,7 +30,7 @@ X zero() {
         return X{};
 }
 
-/// A matrix as it is, and a number as that number times the identity.
+/// Returns a matrix as it is, and a number as that number times the identity.
 template <class Matrix, class A>
 Matrix times_identity(const A& a) {
     if constexpr (std::is_convertible_v<A, Matrix>)
@@ -58,8 +58,8 @@ real_of<X> magnitude(const X& x) {
         return norm(x);
 }
 
-/// The same where the squares of the parts are too large or too small for numbers, at twice the
-/// cost.
+/// The size of a number or vector, also if the squares of its parts overflow or underflow; costs
+/// twice as much as magnitude(). NaN if a part is infinite or NaN.
 template <class X>
 real_of<X> safe_magnitude(const X& x) {
     if constexpr (is_number<X>)
@@ -75,10 +75,9 @@ real_of<X> safe_magnitude(const X& x) {
     }
 }
 
-/// The x with A x = b by Gauss's elimination, for few equations. In each column the largest number
-/// left is the pivot, by which the others are divided; so no share of a row that is taken from
-/// another exceeds one. (Eigen does the same, for any size, and takes seconds to compile.)
-/// [eliminate]
+/// The x with A x = b by Gauss's elimination, for few equations. In each column the largest
+/// remaining number is the pivot, so no factor exceeds one. (Eigen's solver takes any size, and
+/// seconds to compile.) [eliminate]
 template <class Matrix, class X>
 X eliminate(Matrix a, X b) {
     constexpr int n = Matrix::RowsAtCompileTime;
@@ -118,8 +117,8 @@ X solve(const A& a, const X& b) {
         return a.partialPivLu().solve(b);
 }
 
-/// x / |x|, the direction of x: for a number its sign. Zero has none and stays zero. Right for
-/// short vectors too: divided by their largest part first, as their squares would underflow.
+/// The direction x / |x|; for a number its sign. Zero has no direction and stays zero. Short
+/// vectors are divided by their largest part first, because their squares would underflow.
 template <class X>
 X direction(const X& x) {
     if constexpr (is_number<X>)

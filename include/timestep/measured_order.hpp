@@ -9,12 +9,11 @@
 
 namespace timestep {
 
-/// When error = C hᵖ, log(error) against log(h) is a line of slope p. This is that slope, by least
-/// squares over all pairs (`steps[i]`, `errors[i]`).
+/// The measured order p. If error = C hᵖ, log(error) against log(h) is a line of slope p; the slope
+/// is found by least squares over all pairs (`steps[i]`, `errors[i]`).
 ///
-/// NaN when there are fewer than two steps with different logarithms, or a step or an error that is
-/// not above zero.
-/// [fit]
+/// NaN if fewer than two steps have different logarithms, or if a step or an error is not above
+/// zero. [fit]
 inline double measured_order(const std::vector<double>& steps, const std::vector<double>& errors) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     if (steps.size() != errors.size()) return nan;

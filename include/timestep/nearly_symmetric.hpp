@@ -34,9 +34,7 @@ public:
 
 private:
     static SymmetricInertia<double> declared(const PrincipalInertia<double>& inertia) {
-        PrincipalInertia<double> body = inertia;
-        body.moments = body.unit;
-        const ClosestMoments closest = closest_moments(body);
+        const ClosestMoments closest = closest_moments(inertia.scaled_to_one());
         return {closest.equal[std::size_t((closest.odd + 1) % 3)],
                 closest.equal[std::size_t(closest.odd)]};
     }

@@ -4,9 +4,10 @@
 /// Cube root, sine and cosine, the same bits on every machine. For C99 and C++; the library's
 /// headers use them by own_math.hpp.
 ///
-/// IEEE arithmetic rounds +, −, ×, ÷ and √ in one way only; what sin, cos and cbrt round to is left
-/// to whoever wrote the mathematical library, and to the compiler where it knows the argument. So a
-/// step that turns a body takes these. Of <math.h> they use what is exact: frexp, ldexp and fmod.
+/// IEEE arithmetic rounds +, −, ×, ÷ and √ in one way only. The roundings of sin, cos and cbrt
+/// depend on the mathematical library, and on the compiler if it knows the argument. So steps that
+/// rotate a body use these functions. From <math.h> they use only what is exact: frexp, ldexp and
+/// fmod.
 
 #include <math.h>
 
@@ -18,7 +19,7 @@
 #endif
 /// \endcond
 
-/// ∛x, off by a roundoff.
+/// ∛x, off by at most a roundoff.
 static inline double timestep_cbrt(double x) {
     double y = 1, m;
     int e = 0, k, i;
@@ -32,7 +33,7 @@ static inline double timestep_cbrt(double x) {
     for (i = 0; i < 7; ++i) y -= (y * y * y - m) / (3 * y * y);
     return ldexp(x < 0 ? -y : y, k);
 }
-/// The same in `float`.
+/// ∛x in `float`.
 static inline float timestep_cbrtf(float x) {
     return TIMESTEP_C_TO(float, timestep_cbrt(TIMESTEP_C_TO(double, x)));
 }
@@ -60,8 +61,8 @@ static inline double timestep_without_quarters(double x, int* quarters) {
 }
 /// \endcond
 
-/// sin x and cos x, off by a roundoff of 1; of an angle beyond half a million, by a roundoff of the
-/// angle. What is no number, and infinity, give what is no number.
+/// sin x and cos x, off by at most a roundoff of 1; for angles beyond half a million, by a roundoff
+/// of the angle. NaN for infinity and NaN.
 TIMESTEP_C_HERE void timestep_sine_cosine(double x, double* sine, double* cosine) {
     int quarters = 0;
     const double r = fabs(x) <= 0.7853981633974483 ? x : timestep_without_quarters(x, &quarters);
@@ -80,7 +81,7 @@ TIMESTEP_C_HERE void timestep_sine_cosine(double x, double* sine, double* cosine
     if (quarters & 2) *sine = -*sine;
     if ((quarters + 1) & 2) *cosine = -*cosine;
 }
-/// The same in `float`: computed in `double`, and rounded.
+/// sin x and cos x in `float`: computed in `double` and rounded.
 TIMESTEP_C_HERE void timestep_sine_cosinef(float x, float* sine, float* cosine) {
     int quarters = 0;
     const double r = fabsf(x) <= 0.785398f

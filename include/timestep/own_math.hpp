@@ -8,7 +8,7 @@
 
 namespace timestep {
 
-/// What sine_cosine() gives.
+/// The result of sine_cosine().
 template <class Real>
 struct SineCosine {
     Real sine;    ///< sin x
@@ -21,14 +21,14 @@ inline SineCosine<double> sine_cosine(double x) {
     timestep_sine_cosine(x, &of.sine, &of.cosine);
     return of;
 }
-/// The same in `float`.
+/// sin x and cos x in `float`.
 inline SineCosine<float> sine_cosine(float x) {
     SineCosine<float> of;
     timestep_sine_cosinef(x, &of.sine, &of.cosine);
     return of;
 }
-/// Of other kinds of numbers, by their own functions: `long double` differs from machine to machine
-/// anyway.
+/// sin x and cos x of other number types, by their own functions. (`long double` differs from
+/// machine to machine anyway.)
 template <class Real>
 SineCosine<Real> sine_cosine(const Real& x) {
     using std::cos, std::sin;
@@ -37,9 +37,9 @@ SineCosine<Real> sine_cosine(const Real& x) {
 
 /// ∛x.
 inline double cube_root(double x) { return timestep_cbrt(x); }
-/// The same in `float`.
+/// ∛x in `float`.
 inline float cube_root(float x) { return timestep_cbrtf(x); }
-/// Of other kinds of numbers, by their own function.
+/// ∛x of other number types, by their own function.
 template <class Real>
 Real cube_root(const Real& x) {
     using std::cbrt;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Work for several threads.
+/// Work shared by several threads.
 
 #include <algorithm>
 #include <cstddef>
@@ -10,12 +10,11 @@
 
 namespace timestep {
 
-/// A parallel_for: calls `work(first, last)` for `threads` equal shares of 0 … `count`, each in a
-/// thread of its own, the last one in the caller's, and waits for all. To start the threads takes
-/// as long as to step some 1,500 to 8,000 boxes in lanes, by the machine: it pays where a share is
-/// larger than that. No thread, as a system may say that does not know how many it has, is one;
-/// there are never more than `count`, and where the system gives no thread, the caller does that
-/// share, too. `work` must not throw.
+/// Calls `work(first, last)` for `threads` equal shares of 0 … `count`, each in a thread of its own
+/// and the last in the caller's, and waits for all. Starting the threads takes as long as stepping
+/// 1,500 to 8,000 boxes in lanes, depending on the machine, so it pays for larger shares. 0 threads
+/// count as one, and there are never more than `count`. If the system gives no thread, the caller
+/// does that share too. `work` must not throw.
 template <class Work>
 void parallel_for(std::size_t count, unsigned threads, const Work& work) {
     if (threads > count) threads = unsigned(count);  // no share is empty

@@ -15,9 +15,9 @@ namespace timestep {
 
 /// A chain of points of equal mass, each at the distance `link` from the next; the first one is
 /// held. As in Jakobsen's *Advanced Character Physics* (2001), Verlet moves every point as if it
-/// were alone, and then the links are set to their length one after the other, a few times over:
-/// Gauss–Seidel iterations of constraint projection, position-based dynamics (PBD). A point that
-/// is moved has its velocity changed with it: that is what two positions are good for.
+/// were alone, and then the links are set to their length one after another, a few times over:
+/// Gauss–Seidel iterations of constraint projection, position-based dynamics (PBD). Moving a point
+/// changes its velocity too, because Verlet's state is two positions.
 ///
 /// `X` is a fixed-size Eigen vector.
 template <class X>
@@ -38,8 +38,8 @@ public:
         }
     }
 
-    /// One step of length h, the same in every step: Verlet, and `sweeps` iterations over all
-    /// links. Throws `std::invalid_argument`.
+    /// One step of `h` seconds, which must be constant: Verlet, then `sweeps` iterations over all
+    /// links. Throws `std::invalid_argument` unless h is above zero and `sweeps` zero or more.
     void step(Real h, int sweeps) {
         positive("step", h), not_negative("sweeps", Real(sweeps));
         for (std::size_t i = 1; i < points_.size(); ++i) {
@@ -55,16 +55,16 @@ public:
 
     /// A point of the rope.
     struct Point {
-        X x;       ///< where it is, m
-        X before;  ///< and where it was a step ago, from where it came
+        X x;       ///< position, m
+        X before;  ///< position a step earlier, m
     };
-    /// The points, from the one that is held.
+    /// The points, beginning with the held one.
     const std::vector<Point>& points() const { return points_; }
 
     /// The velocity of point i in the middle of the last step of length h, m/s.
     X velocity(std::size_t i, Real h) const { return (points_[i].x - points_[i].before) / h; }
 
-    /// How much longer than its links the rope is: 0 is right, 0.1 is a tenth too long.
+    /// The relative excess length of the rope: 0 is right, 0.1 is a tenth too long.
     Real stretch() const {
         Real length = 0;
         for (std::size_t i = 1; i < points_.size(); ++i)
@@ -73,8 +73,8 @@ public:
     }
 
 private:
-    // The two ends of a link share what is too long or too short; the point that is held does not
-    // move. Two points in one place have no direction and stay.
+    // The two ends of a link share the excess; the held point does not move. Two points in one
+    // place have no direction and stay.
     /// [link]
     void put_right(std::size_t i) {
         X& a = points_[i - 1].x;

@@ -50,9 +50,9 @@ concept ConstantSlopeV = requires(const Model& m) {
 /// The forces of all `Parts` together: `Scene{Projectile{g}, Drag{k}}` is a shell in flight,
 /// `Scene{DampedSpring{omega, zeta}, Projectile{-9.81}}` a character on its legs (I03, I14).
 ///
-/// A scene is a model like any other. Its acceleration is the sum of those of its parts, in their
-/// order, and takes only the arguments that they take; it is linear when all of them are. Terms
-/// that are not named do not exist, and neither do their instructions.
+/// A scene is a model. Its acceleration is the sum of those of its parts, in their order, and takes
+/// only the arguments that they take; it is linear if all of them are. Terms that are not named
+/// cost no instruction.
 template <class... Parts>
 class Scene {
     static_assert(sizeof...(Parts) > 0, "timestep: a scene needs at least one force");
@@ -68,7 +68,7 @@ class Scene {
         ((ConstantForce<Parts> || detail::ConstantSlopeX<Parts>)&&...);
 
 public:
-    /// Copies the parts, which have checked their parameters themselves.
+    /// Copies the parts, which have checked their parameters.
     explicit Scene(const Parts&... parts) : parts_(parts...) {}
 
     /// The sum of constant forces, per unit of mass.
@@ -79,13 +79,13 @@ public:
             return X((first.acceleration() + ... + more.acceleration()));
         });
     }
-    /// The sum, where it depends on the position at most.
+    /// The sum of forces that depend on the position at most, per unit of mass.
     template <class X>
     X acceleration(const X& x) const requires(position_only<X> && !constant) {
         return of_parts(
             [&](const auto&... part) -> X { return (... + timestep::acceleration(part, x)); });
     }
-    /// The sum, where it depends on the velocity too.
+    /// The sum of forces of which one depends on the velocity, per unit of mass.
     template <class X>
     X acceleration(const X& x, const X& v) const
         requires((VelocityForce<Parts, X> && ...) && !position_only<X>) {
@@ -94,7 +94,7 @@ public:
     }
     /// [sum]
 
-    /// ∂a/∂x, 1/s², where it is the same everywhere.
+    /// ∂a/∂x, 1/s², of a scene whose slope is constant.
     auto slope_x() const requires(constant_slope_x && !constant) {
         return of_parts([](const auto&... part) { return detail::sum(part_slope_x(part)...); });
     }

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Many springs: an array a quantity, in packs.
+/// Many springs: one array per quantity, in packs.
 
 #include <cstddef>
 #include <utility>
@@ -12,19 +12,18 @@
 
 namespace timestep {
 
-/// Springs by the thousand, all at the same time `t`. Places, velocities and springs lie in an
-/// array each, so that one instruction loads a pack of them.
+/// Springs by the thousand, all at one time `t`. Positions, velocities and springs lie in an array
+/// each, so that one instruction loads a pack of them.
 ///
-/// The last pack is filled up with copies of the last spring. They are stepped with the others and
-/// nobody looks at them; so there is no second loop for what is left over, and no lane that
-/// computes with garbage, which might be slow.
+/// The last pack is filled up with copies of the last spring, whose results are not read. So there
+/// is no second loop for the rest, and no lane computes with garbage, which might be slow.
 template <class Real>
 class Springs {
 public:
-    using Pack = Lanes<Real>;  ///< so many are stepped at once
+    using Pack = Lanes<Real>;  ///< springs stepped at once
 
-    /// Adds a spring, which has checked its parameter itself, at `x` in m with `v` in m/s. Throws
-    /// `std::invalid_argument` where they are not finite.
+    /// Adds a spring at `x` m with `v` m/s. Throws `std::invalid_argument` if one of them is not
+    /// finite.
     void add(const Spring<Real>& spring, Real x, Real v) {
         finite("position", x), finite("velocity", v);
         const int lane = int(size_ % Pack::lanes);
@@ -37,9 +36,9 @@ public:
         ++size_;
     }
 
-    /// How many there are.
+    /// The number of springs.
     std::size_t size() const { return size_; }
-    /// How many packs they fill.
+    /// The number of packs that they fill.
     std::size_t packs() const { return x_.size(); }
     /// The state of spring `i`.
     State<Real> operator[](std::size_t i) const {
@@ -48,15 +47,16 @@ public:
         return {Real(t), x_[pack][lane], v_[pack][lane]};
     }
 
-    /// Takes `steps` steps of `h` seconds. With more than one, a spring takes all of them while it
-    /// is in the processor's registers: to fetch it from memory takes longer than to step it.
+    /// Takes `steps` steps of `h` seconds. A spring takes all of them while it is in the
+    /// processor's registers, because fetching it from memory takes longer than a step.
     template <class Method>
     void step(const Method& method, Real h, long steps = 1) {
         step(method, h, steps, 0, packs());
         for (long n = 0; n < steps; ++n) t += double(h);
     }
 
-    /// The same for the packs from `first` to before `last`, without the time: a thread's share.
+    /// Takes the steps for the packs from `first` to before `last`, a thread's share, and leaves
+    /// `t` as it is.
     template <class Method>
     void step(const Method& method, Real h, long steps, std::size_t first, std::size_t last) {
         for (; first + under_way <= last; first += under_way)
@@ -64,11 +64,12 @@ public:
         rest<under_way - 1>(method, h, steps, first, last);
     }
 
-    double t = 0;  ///< time, s; such a sum in `float` would be off by seconds an hour
+    double t = 0;  ///< time, s; a sum in `float` would be off by seconds per hour
 
 private:
-    // A step waits for the step before it, a few cycles an operation; with some packs under way the
-    // processor does not. As many as its registers hold: 32 of 64 bytes, or 16 shorter ones.
+    // A step waits for the one before it, a few cycles per operation. With several packs under way
+    // the processor need not wait. Its registers hold this many: 32 of 64 bytes, or 16 shorter
+    // ones.
     static constexpr std::size_t under_way = detail::register_bytes == 64 ? 8 : 6;
 
     /// [together]

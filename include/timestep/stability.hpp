@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Will it blow up? One step of a linear scene with one degree of freedom is a 2×2 matrix, and its
-/// eigenvalues answer (N23).
+/// Stability of a step: on a linear scene with one degree of freedom it is a 2×2 matrix, whose
+/// eigenvalues decide whether the scene blows up (N23).
 
 #include <algorithm>
 #include <complex>
@@ -15,19 +15,20 @@ namespace timestep {
 /// The matrix A of one step: (x₂, v₂) = A (x₁, v₁).
 template <class Real>
 struct StepMatrix {
-    Real xx;  ///< x₂ = xx x₁ + xv v₁
-    Real xv;  ///< the same
-    Real vx;  ///< v₂ = vx x₁ + vv v₁
-    Real vv;  ///< the same
+    Real xx;  ///< x₂ = xx x₁ + xv v₁: the factor of x₁
+    Real xv;  ///< in x₂: the factor of v₁
+    Real vx;  ///< v₂ = vx x₁ + vv v₁: the factor of x₁
+    Real vv;  ///< in v₂: the factor of v₁
 
     /// The sum of the two eigenvalues.
     Real trace() const { return xx + vv; }
-    /// Their product: by how much a step changes areas in the phase portrait.
+    /// The product of the two eigenvalues: the factor by which a step scales areas in the phase
+    /// portrait.
     Real determinant() const { return xx * vv - xv * vx; }
 };
 
-/// The step matrix of a one-step method on a linear scene without a constant force: its columns
-/// are what a step makes of the states (1, 0) and (0, 1).
+/// The step matrix of a one-step method on a linear scene without a constant force: a step maps the
+/// states (1, 0) and (0, 1) to its columns.
 /// [matrix]
 template <class Method, class Model, class Real>
 requires requires(const Method& m, const Model& f, State<Real> s, Real h) { m.step(f, s, h); }
@@ -38,8 +39,8 @@ StepMatrix<Real> step_matrix(const Method& method, const Model& model, Real h) {
 }
 /// [matrix]
 
-/// The two roots of the characteristic polynomial λ² − trace λ + determinant = 0. What stands under
-/// the root, (trace/2)² − determinant, is multiplied out, so that short steps lose no digits.
+/// The two roots of the characteristic polynomial λ² − trace λ + determinant = 0. The radicand
+/// (trace/2)² − determinant is multiplied out, so that short steps lose no digits.
 /// [eigenvalues]
 template <class Real>
 std::pair<std::complex<Real>, std::complex<Real>> eigenvalues(const StepMatrix<Real>& a) {
@@ -49,7 +50,7 @@ std::pair<std::complex<Real>, std::complex<Real>> eigenvalues(const StepMatrix<R
 }
 /// [eigenvalues]
 
-/// The larger magnitude of the two: what a step multiplies by in the long run.
+/// The larger magnitude of the two eigenvalues: the growth per step in the long run.
 template <class Real>
 Real spectral_radius(const StepMatrix<Real>& a) {
     const auto [first, second] = eigenvalues(a);

@@ -1,10 +1,10 @@
 #pragma once
 /// \file
-/// What a step does to a decay: the stability function R(z) of every method that has one (N60,
-/// N62).
+/// The stability function R(z) of every method that has one: the factor by which a step multiplies
+/// a decay (N60, N62).
 ///
-/// On ẏ = λ y a step of length h is a multiplication, y₂ = R(z) y₁, and all that it depends on is
-/// z = hλ, a complex number. The exact motion multiplies by e^z. A linear scene is a sum of such
+/// On ẏ = λ y a step of length h is a multiplication, y₂ = R(z) y₁, which depends only on the
+/// complex number z = hλ. The exact motion multiplies by e^z. A linear scene is a sum of such
 /// motions, so the method is stable on it where |R(z)| ≤ 1 for the z of each.
 ///
 /// Semi-implicit Euler and the methods of Verlet's kind have no R: they treat position and velocity
@@ -22,7 +22,7 @@
 
 namespace timestep {
 
-/// z = hλ, and what a step multiplies by.
+/// A complex number: z = hλ, or R(z).
 using Complex = std::complex<double>;
 
 /// Explicit Euler, y₂ = y₁ + h λ y₁: the series of e^z as far as z.
@@ -70,13 +70,14 @@ inline Complex stability_function(const Bdf2&, Complex z) {
 }
 /// [bdf2]
 
-/// Has the method a stability function?
+/// Whether the method has a stability function.
 template <class Method>
 concept HasStabilityFunction = requires(const Method& m, Complex z) {
     stability_function(m, z);
 };
 
-/// Calls `visit(method)` for each method that has one: the explicit ones, then those that solve.
+/// Calls `visit(method)` for each method that has one: the explicit methods, then the implicit
+/// ones.
 template <class Visit>
 void for_each_stability_function(const Visit& visit) {
     visit(explicit_euler), visit(midpoint), visit(heun), visit(runge_kutta_4);

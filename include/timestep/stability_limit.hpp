@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// How long may a step be? The largest ωh with which a method does not let a damped spring grow, in
-/// closed form, for every damping ratio ζ (N23, N25, N33).
+/// The longest stable step: the largest ωh for which a damped spring does not grow, in closed form,
+/// for every method and damping ratio ζ (N23, N25, N33).
 ///
 /// A step is a 2×2 matrix. Its eigenvalues are the roots of λ² − Tλ + D with the trace T and the
 /// determinant D, and both lie in the unit disk when (Jury's conditions)
@@ -10,8 +10,8 @@
 /// third by a state that flips over and over. Below, s = ωh, positions are measured in x and
 /// velocities in ω x.
 ///
-/// ζ is that of a DampedSpring: finite, and zero or more. It is not looked at again here; of a
-/// negative ζ or a NaN the formulas say nothing.
+/// ζ is that of a DampedSpring: finite, and zero or more. It is not checked again here; for a
+/// negative ζ or a NaN the results mean nothing.
 
 #include <cmath>
 #include <complex>
@@ -24,8 +24,8 @@ namespace timestep {
 
 /// The largest stable ωh, and the formula it comes from.
 struct StabilityLimit {
-    double value;         ///< infinite where every step is stable
-    const char* formula;  ///< in words, for those who ask why
+    double value;         ///< rad; infinite if every step is stable
+    const char* formula;  ///< the formula, as text
 };
 
 /// \cond
@@ -105,7 +105,7 @@ inline StabilityLimit two_stages_limit(double zeta) {
 inline StabilityLimit stability_limit(const Midpoint&, double zeta) {
     return detail::two_stages_limit(zeta);
 }
-/// Heun's method, the same R(z).
+/// Heun's method, which has the R(z) of the midpoint method.
 inline StabilityLimit stability_limit(const Heun&, double zeta) {
     return detail::two_stages_limit(zeta);
 }
@@ -145,17 +145,17 @@ inline StabilityLimit stability_limit(const ImplicitMidpoint&, double) { return 
 /// the methods over several steps that have no limit none is of an order above two.)
 inline StabilityLimit stability_limit(const Bdf2&, double) { return detail::no_limit; }
 
-/// Will it blow up?
+/// Whether a scene blows up.
 enum class Verdict {
-    stable,             ///< bounded for ever
-    grows,              ///< sooner or later it leaves the screen
+    stable,             ///< it stays bounded
+    grows,              ///< it grows without bound
     too_close_to_call,  ///< within a thousandth of the boundary: no stiffness is known better than
                         ///< that; or the growth is lost in roundoff
     refused,            ///< the method cannot step this scene at all
     not_proven          ///< it may stay or grow: what is known of the scene does not decide it
 };
 
-/// The verdict in words.
+/// The verdict as text.
 inline const char* words(Verdict verdict) {
     switch (verdict) {
         case Verdict::stable:
@@ -171,7 +171,7 @@ inline const char* words(Verdict verdict) {
     }
 }
 
-/// Is `value` on the stable side of `limit`?
+/// The verdict for `value` beside the stability `limit`.
 inline Verdict verdict(double value, double limit) {
     return value < 0.999 * limit   ? Verdict::stable
            : value > 1.001 * limit ? Verdict::grows

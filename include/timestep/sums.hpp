@@ -1,11 +1,10 @@
 #pragma once
 /// \file
-/// Sums of products in one order, on every machine: of vectors, matrices and quaternions.
+/// Products of vectors, matrices and quaternions whose sums have one order on every machine.
 ///
-/// (a + b) + c is not a + (b + c). Eigen adds in the order that suits the processor: with SSE2
-/// another one than with AVX, NEON or none, and with AVX2 it contracts a product and a sum, too.
-/// What a step computes takes these instead. Eigen is used where the caller brings its types, and
-/// not included here.
+/// (a + b) + c is not a + (b + c). Eigen adds in the order that suits the processor: SSE2, AVX and
+/// NEON differ, and with AVX2 Eigen contracts products and sums. Steps use these functions instead.
+/// They work on Eigen's types but do not include Eigen.
 
 #include <cmath>
 
@@ -36,20 +35,20 @@ TIMESTEP_INLINE real_of<A> dot_part(const A& a, const B& b) {
 }  // namespace detail
 /// \endcond
 
-/// a · b.
+/// The dot product a · b.
 template <class A, class B>
 TIMESTEP_INLINE real_of<A> dot(const A& a, const B& b) {
     return detail::dot_part<0, A::SizeAtCompileTime>(a, b);
 }
 
-/// |a|.
+/// The length |a|.
 template <class A>
 TIMESTEP_INLINE real_of<A> norm(const A& a) {
     using std::sqrt;
     return sqrt(dot(a, a));
 }
 
-/// A B, of a square matrix and a vector or a matrix.
+/// The product A B of a square matrix and a vector or a matrix.
 template <class A, class B>
 TIMESTEP_INLINE typename B::PlainObject times(const A& a, const B& b) {
     constexpr int n = A::RowsAtCompileTime;
@@ -60,7 +59,7 @@ TIMESTEP_INLINE typename B::PlainObject times(const A& a, const B& b) {
     return product;
 }
 
-/// p q of quaternions: first q, then p.
+/// The product p q of quaternions: the rotation q, then p.
 template <class Quaternion>
 TIMESTEP_INLINE Quaternion quaternion_product(const Quaternion& p, const Quaternion& q) {
     return Quaternion(p.w() * q.w() - p.x() * q.x() - p.y() * q.y() - p.z() * q.z(),
@@ -69,7 +68,7 @@ TIMESTEP_INLINE Quaternion quaternion_product(const Quaternion& p, const Quatern
                       p.w() * q.z() + p.z() * q.w() + p.x() * q.y() - p.y() * q.x());
 }
 
-/// The same where p is the vector `a`, (0, a).
+/// The product of the quaternion (0, a) and q.
 template <class Vector, class Quaternion>
 TIMESTEP_INLINE Quaternion vector_product(const Vector& a, const Quaternion& q) {
     return Quaternion(-(a.x() * q.x() + (a.y() * q.y() + a.z() * q.z())),

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Taylor series: a function a step away, from its derivatives here (N09, N10).
+/// Taylor series: a function a step away, from its derivatives at one point (N09, N10).
 
 #include <concepts>
 #include <cstddef>
@@ -14,8 +14,8 @@ namespace timestep {
 /// After the term in hⁿ the series is off by h⁽ⁿ⁺¹⁾/(n+1)! times the next derivative at some point
 /// in between.
 ///
-/// Added up from the far end, f + h (f′ + h/2 (f″ + …)): no power of h stands alone, so none can be
-/// too large for a number where its term is not.
+/// The sum starts at the far end, f + h (f′ + h/2 (f″ + …)), so no power of h stands alone and
+/// overflows while its term does not.
 template <std::floating_point Real, std::size_t Extent>
 Real taylor(std::span<const Real, Extent> derivatives, Real h) {
     Real sum = 0;

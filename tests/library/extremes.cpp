@@ -88,14 +88,6 @@ TEST_CASE("a game loop does not owe more than a number", "[I02][library]") {
     CHECK(loop.alpha() < 1);
 }
 
-TEMPLATE_TEST_CASE("a tether has a slope however near to its origin", "[library]", float, double) {
-    using V = Eigen::Matrix<TestType, 2, 1>;
-    const Tether<TestType> tether(6, 1);
-    for (const TestType x :
-         {std::numeric_limits<TestType>::denorm_min(), std::numeric_limits<TestType>::min(), TestType(1e-20)})
-        CHECK(tether.slope_x(V(0, x)).allFinite());
-}
-
 // Between the sines whose square is zero and those whose inverse has a square, dn was ∞/∞.
 TEMPLATE_TEST_CASE("elliptic functions of tiny arguments are the argument, 1 and 1", "[library]", float, double) {
     for (TestType u = 1; u > 0; u /= 2) {

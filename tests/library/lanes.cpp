@@ -181,62 +181,6 @@ void same_lane(const char* name, const Eigen::Matrix<L, Size, 1>& pack, int i,
 
 }  // namespace
 
-// In `float` the lanes' bits are those of one body. In `double` Eigen may take a sum of three
-// products two at a time, in another order than a pack does: either is off by 3 roundings of the
-// sum of the sizes, at most √3 |ω| in a row of a rotation. A change of coordinates, a solver with
-// two or three such sums over a number near one, and the way back: 8 sums at the most, 48 roundings
-// or 24 ε. The orientation is a sum of five products, over its length: 8 ε.
-TEMPLATE_TEST_CASE("a pack of bodies turns as each does alone", "[library][ch8]", TIMESTEP_BOTH_REALS) {
-    using L = TestType;
-    using Real = typename L::Number;
-    const double eps = std::numeric_limits<Real>::epsilon();
-    const double allowed = std::is_same_v<Real, float> ? 0 : 24 * eps;
-    const Real h = Real(1) / 60;
-    // In body coordinates, each solver.
-    const auto compare = [&](const auto& solver, const auto& packed, const auto& one_of) {
-        const Vector3<L> omega = some_spin<L>();
-        const Vector3<L> after = solver.step(packed, omega, L(h));
-        for (int i = 0; i < L::lanes; ++i) {
-            const Vector3<Real> one = lane(omega, i);
-            const Vector3<Real> alone = solver.step(one_of(i), one, h);
-            same_lane(solver.name, after, i, alone, allowed * double(one.norm()));
-        }
-    };
-    // From world coordinates and back, and with the orientation: that is the same for each of them.
-    const auto compare_whole = [&](const auto& packed, const auto& one_of) {
-        const Vector3<L> omega = some_spin<L>();
-        const Quaternion<L> q = some_orientation<L>();
-        const Vector3<L> after = after_gyroscopic_torque(passive_gyroscopic, packed, q, omega, L(h));
-        const Quaternion<L> q2 = rotated(q, omega, L(h));
-        for (int i = 0; i < L::lanes; ++i) {
-            const Vector3<Real> one = lane(omega, i);
-            const Quaternion<Real> q1(lane(q.coeffs(), i));
-            const Vector3<Real> alone = after_gyroscopic_torque(passive_gyroscopic, one_of(i), q1, one, h);
-            same_lane("velocity", after, i, alone, allowed * double(one.norm()));
-            same_lane("orientation", q2.coeffs(), i, rotated(q1, one, h).coeffs(), 8 * eps);
-        }
-    };
-    for (int n = 0; n < 200; ++n) {
-        const L a = made<L>([] { return between(0.5, 2); }), b = made<L>([] { return between(0.5, 2); });
-        const L c = made<L>([] { return between(0.5, 2); });
-        const auto a_capsule = capsule(L(10), a, b);
-        const auto a_box = box(L(10), a, b, c);
-        const auto capsule_of = [&](int i) { return capsule(Real(10), a[i], b[i]); };
-        const auto box_of = [&](int i) { return box(Real(10), a[i], b[i], c[i]); };
-        compare_whole(sphere(L(10), a), [&](int i) { return sphere(Real(10), a[i]); });
-        compare_whole(a_box, box_of);
-        const auto both_kinds = [&](const auto& solver) {
-            compare(solver, a_capsule, capsule_of), compare(solver, a_box, box_of);
-        };
-        both_kinds(implicit_gyroscopic);
-        if constexpr (std::is_same_v<Real, float>) {  // many.cpp has all of them in `double`
-            both_kinds(no_gyroscopic), both_kinds(explicit_gyroscopic);
-            both_kinds(passive_gyroscopic), both_kinds(half_step_jacobian);
-            both_kinds(cayley_gyroscopic);
-        }
-    }
-}
-
 // As above; a splitting has ten such sums for ω and its orientation five products, one after the
 // other.
 TEMPLATE_TEST_CASE("a pack of bodies takes whole-body steps as each does alone", "[library][ch8]",

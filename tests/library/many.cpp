@@ -7,13 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <system_error>
-#include <thread>
 #include <vector>
-
-#if defined(__linux__)
-#include <pthread.h>
-#endif
 
 #include <timestep/gyroscopic/cayley_gyroscopic.hpp>
 #include <timestep/gyroscopic/explicit_gyroscopic.hpp>
@@ -195,24 +189,6 @@ TEMPLATE_TEST_CASE("bodies in packs turn as each does alone, kind by kind", "[li
     }
 }
 
-namespace {
-// A solver that cannot be compiled: whoever steps with it, does not compile.
-struct Poison {
-    template <class Inertia, class Real>
-    Vector3<Real> step(const Inertia&, const Vector3<Real>& omega, Real) const {
-        static_assert(Inertia::gyroscopic && !Inertia::gyroscopic, "gyroscopic code was compiled");
-        return omega;
-    }
-};
-}  // namespace
-
-TEST_CASE("a pack of balls compiles no gyroscopic code", "[library][N41][ch8]") {
-    ManyBodies<float, UniformInertia> balls;
-    balls.add(sphere(1.0f, 1.0f), Quaternion<float>::Identity(), Vector3<float>(1, 2, 3));
-    balls.step(Poison{}, 0.01f);  // this line compiles
-    CHECK(balls.state<UniformInertia>(0).omega == Vector3<float>(1, 2, 3));
-}
-
 TEST_CASE("a body that is not finite is refused, and nothing is added", "[library][ch8]") {
     ManyBodies<double, PrincipalInertia> boxes;
     const auto crate = box(1.0, 1.0, 2.0, 3.0);
@@ -284,27 +260,3 @@ TEST_CASE("there are no more shares than there is work, and none is empty", "[li
     CHECK(calls == 3);
     CHECK(empty == 0);
 }
-
-#if defined(__GLIBC__)
-// Threads with a stack that no memory holds cannot be started.
-TEST_CASE("where no thread can be started, the caller does its share", "[library][ch8]") {
-    pthread_attr_t before, greedy;
-    REQUIRE(pthread_getattr_default_np(&before) == 0);
-    REQUIRE(pthread_getattr_default_np(&greedy) == 0);
-    REQUIRE(pthread_attr_setstacksize(&greedy, std::size_t(1) << 60) == 0);
-    REQUIRE(pthread_setattr_default_np(&greedy) == 0);
-    bool started = true;
-    try {
-        std::thread([] {}).join();
-    } catch (const std::system_error&) {
-        started = false;
-    }
-    std::vector<int> seen(100, 0);
-    parallel_for(seen.size(), 4, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) ++seen[i];
-    });
-    REQUIRE(pthread_setattr_default_np(&before) == 0);
-    CHECK_FALSE(started);
-    for (const int times : seen) CHECK(times == 1);
-}
-#endif

@@ -34,16 +34,6 @@ TEST_CASE("a needle stays finite, and a rod knows no spin about itself", "[libra
     CHECK(s.omega == V(0, 0, 0));
 }
 
-TEST_CASE("a crumb of a milligram turns in float as its big brother does", "[library]") {
-    const auto crumb = box(1e-6f, 1e-3f, 2e-3f, 3e-3f), brother = box(1.0f, 1.0f, 2.0f, 3.0f);
-    const F w(3, 20, -5);
-    CHECK((passive_gyroscopic.step(crumb, w, 1 / 60.0f) - passive_gyroscopic.step(brother, w, 1 / 60.0f)).norm() <
-          1e-5f);
-    CHECK((implicit_gyroscopic.step(crumb, w, 1 / 60.0f) - implicit_gyroscopic.step(brother, w, 1 / 60.0f)).norm() <
-          1e-5f);
-    CHECK((passive_gyroscopic.step(crumb, w, 1 / 60.0f) - w).norm() > 0.1f);
-}
-
 TEST_CASE("a spin of 1e20 or 1e-25 in float is neither lost nor infinite", "[library]") {
     const auto I = box(1.0f, 1.0f, 2.0f, 3.0f);
     const F tiny = 1e-25f * F(1, 2, 2), huge = 1e20f * F(0.1f, 0.2f, 0.2f);
@@ -152,42 +142,4 @@ TEST_CASE("a quaternion of length zero is no orientation: the state is not finit
     CHECK(is_finite(s));
     s.q.x() = std::nan("");
     CHECK(!is_finite(s));
-}
-
-TEST_CASE("a locked axis is a mask after the step, and nothing becomes strange", "[library]") {
-    const auto I = box(1.0, 1.0, 2.0, 3.0);
-    const LockedAxes<double> upright{{0, 0, 1}};
-    RigidState<double> s{0, Quaternion<double>(1, 0.2, 0.1, 0).normalized(), {0, 0, 5}};
-    for (int n = 0; n < 10000; ++n) {
-        s = step_rotation(passive_gyroscopic, I, s, V(1, 2, 0.5), 1.0 / 60);
-        s.omega = upright(s.omega);
-    }
-    CHECK(is_finite(s));
-    CHECK(s.omega.x() == 0);
-    CHECK(s.omega.y() == 0);
-}
-
-// Two million steps lose energy all the while, and two components of ω tend to zero. They must not crawl
-// along in subnormal numbers, which cost many times as much. They do not, since the state holds ω in the
-// world: back in the body its components carry the rounding of the large one. Counted, not timed.
-TEST_CASE("a spin that dies does not end in subnormal numbers", "[library][long]") {
-    const auto I = box(1.0f, 1.0f, 2.0f, 3.0f);
-    RigidState<float> s{0, Quaternion<float>(4, 3, 2, 1).normalized(), {1, 10, 0.1f}};
-    long subnormal = 0;
-    for (long n = 0; n < 2000000; ++n) {
-        s = step_rotation(passive_gyroscopic, I, s, 1 / 60.0f);
-        const F w = s.q.conjugate() * s.omega;
-        for (int i = 0; i < 3; ++i) subnormal += std::fpclassify(w[i]) == FP_SUBNORMAL;
-    }
-    CHECK(is_finite(s));
-    CHECK(subnormal < 2000);
-}
-
-TEST_CASE("what is not a number comes out as one: the step is not decorated, a run can see it", "[library]") {
-    const auto I = box(1.0, 1.0, 2.0, 3.0);
-    const V bad(1, std::nan(""), 0);
-    CHECK(!passive_gyroscopic.step(I, bad, 0.1).allFinite());
-    CHECK(!implicit_gyroscopic.step(I, bad, 0.1).allFinite());
-    CHECK(!converged_gyroscopic.step(I, bad, 0.1).allFinite());
-    CHECK(!is_finite(RigidState<double>{0, Quaternion<double>::Identity(), bad}));
 }

@@ -177,12 +177,3 @@ TEST_CASE("a scene holds its parts and nothing else", "[library]") {
     STATIC_REQUIRE(sizeof(Scene<DampedSpring<double>, Projectile<double>>) == 3 * sizeof(double));
     CHECK(Scene{spring}.acceleration(0.3) == spring.acceleration(0.3));
 }
-
-TEMPLATE_TEST_CASE("scenes in every real number", "[library]", float, double, long double) {
-    using Real = TestType;
-    const Scene scene{DampedSpring<Real>(8, Real(0.1)), Projectile<Real>(Real(-9.81)), Drag<Real>(Real(0.5))};
-    STATIC_REQUIRE(std::is_same_v<decltype(scene.acceleration(Real(1), Real(1))), Real>);
-    STATIC_REQUIRE(std::is_same_v<decltype(scene.slope_v(Real(1), Real(1))), Real>);
-    const State<Real> end = run(implicit_euler, scene, State<Real>{0, 0, -3}, Real(0.01), 10);
-    CHECK(is_finite(end));
-}

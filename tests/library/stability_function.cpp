@@ -185,13 +185,3 @@ TEST_CASE("RK4 far out multiplies by more than any number", "[library]") {
     const double z = -2, series = 1 + z + z * z / 2 + z * z * z / 6 + z * z * z * z / 24;
     CHECK(std::abs(stability_function(runge_kutta_4, z) - series) < 1e-15);
 }
-
-// z = (3 − 4/R + 1/R²)/2 is the inverse of R; on the unit circle its real part is (1 − cos θ)².
-TEST_CASE("BDF2 is on the unit circle nowhere left of the imaginary axis", "[library][ch6]") {
-    for (double angle = -3.1; angle < 3.15; angle += 0.05) {
-        const Complex R = std::polar(1.0, angle), z = (3.0 - 4.0 / R + 1.0 / (R * R)) / 2.0;
-        const double c = 1 - std::cos(angle);
-        CHECK(std::fabs(z.real() - c * c) < 1e-14);
-        CHECK(std::abs((3.0 - 2.0 * z) * R * R - 4.0 * R + 1.0) < 1e-13);
-    }
-}

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include <timestep/models/damped_spring.hpp>
 #include <timestep/models/spring.hpp>
@@ -68,38 +67,12 @@ TEMPLATE_TEST_CASE("valid() agrees with the constructor", "[library]", float, do
             }
         }
     }
-    // In any axes, near the limits of a body: a plate that is slightly too thin, a needle, a matrix slightly off
-    // symmetry, sizes without an inverse.
-    std::mt19937_64 random(21);
-    std::normal_distribution<double> normal;
-    std::uniform_real_distribution<double> unit(-1, 1);
-    const double eps = std::numeric_limits<Real>::epsilon(), least = std::numeric_limits<Real>::min();
-    for (int i = 0; i < 20000; ++i) {
-        const double needle = i % 2 ? 0.3 : 100 * eps * (1 + unit(random));
-        const Vector3<double> m(needle, 1,
-                                1 + needle +
-                                    (i % 4 == 1   ? 100 * eps * unit(random)
-                                     : i % 4 == 3 ? 0
-                                                  : -needle));
-        const Quaternion<double> q(normal(random), normal(random), normal(random), normal(random));
-        const Matrix3<double> R = q.normalized().toRotationMatrix();
-        const double size = i % 8 == 7 ? least * std::exp2(unit(random)) : 1;
-        Matrix3<Real> I = (R * Vector3<double>(size * m).asDiagonal() * R.transpose()).template cast<Real>();
-        I = ((I + I.transpose()) / 2).eval();
-        if (i % 16 == 3) I(0, 1) += Real(16 * eps * unit(random));
-        full.compare(FullInertia<Real>::valid(I), [&] { FullInertia<Real>{I}; });
-        const Vector3<Real> p = (size * m).template cast<Real>();
-        principal.compare(PrincipalInertia<Real>::valid(p.x(), p.y(), p.z()),
-                          [&] { PrincipalInertia<Real>(p.x(), p.y(), p.z()); });
-    }
     // Both answers have occurred.
     for (const Answers& answers : {spring, damped, symmetric, principal, full, uniform, rods, spheres, cubes, cylinders,
                                    capsules, staffs, boxes}) {
         CHECK(answers.yes >= 5);
         CHECK(answers.no >= 5);
     }
-    CHECK(full.yes >= 1000);
-    CHECK(full.no >= 1000);
 }
 
 // All of it is known at compile time: a game's tables of bodies cost nothing at start.

@@ -60,8 +60,7 @@ inline bool two_equal(const PrincipalInertia<double>& inertia) { return (inertia
 
 template <class Rule>
 void find_worst(BodyAdvice& advice, const Rule& rule, const PrincipalInertia<double>& inertia, double spin, double h) {
-    PrincipalInertia<double> body = inertia;
-    body.moments = body.unit;
+    const PrincipalInertia<double> body = inertia.scaled_to_one();
     const auto gain = [&](const Vector3<double>& direction) {
         const Vector3<double> omega = h * spin * direction;  // |ω| may be any size
         const SpinState<double> s{0, Quaternion<double>::Identity(), omega};

@@ -31,8 +31,9 @@ struct SpinAdvice {
 /// The energy after one step of `h` seconds over the energy before, for a body that spins with
 /// `omega`, rad/s in body coordinates. It depends on the ratios of the moments only.
 template <class Solver>
-double energy_gain(const Solver& solver, PrincipalInertia<double> inertia, const Vector3<double>& omega, double h) {
-    inertia.moments = inertia.unit;                                // moments of any size: no energy overflows
+double energy_gain(const Solver& solver, const PrincipalInertia<double>& any_size, const Vector3<double>& omega,
+                   double h) {
+    const PrincipalInertia<double> inertia = any_size.scaled_to_one();
     if constexpr (requires { solver.step(inertia, omega, h); }) {  // in body coordinates, as it is
         const Vector3<double> next = solver.step(inertia, omega, h);
         return kinetic_energy(inertia, next) / kinetic_energy(inertia, omega);

@@ -82,8 +82,7 @@ inline timestep::Frames frames(const Question& q) { return {q.even ? 1 : 1.0 / 3
 template <class Rule>
 bool true_of_steps(const timestep::BodyAdvice& said, const Rule& rule, const Question& q, Random& random) {
     using timestep::AddsEnergy;
-    Body body = q.inertia;
-    body.moments = body.unit;
+    const Body body = q.inertia.scaled_to_one();
     const auto mine = timestep::detail::prepared(rule, body);
     double most = 0;
     const auto step = [&](const Vector& direction) {

@@ -54,12 +54,11 @@ struct BoxPack : BodyPack<PrincipalInertia<Pack>> {
     One alone(int i) const {
         One one;
         for (int k = 0; k < 4; ++k) one.now.q.coeffs()[k] = q.coeffs()[k][i];
-        for (int k = 0; k < 3; ++k) {
-            one.now.omega[k] = omega[k][i];
-            one.inertia.moments[k] = inertia.moments[k][i];
-            one.inertia.unit[k] = inertia.unit[k][i];
-            one.inertia.ratio[k] = inertia.ratio[k][i];
-        }
+        double I[3];
+        for (int k = 0; k < 3; ++k) one.now.omega[k] = omega[k][i], I[k] = inertia.moments[k][i];
+        for (int k = 0; k < 3; ++k)  // rounded to float, a plate's may exceed the sum
+            I[k] = std::min(I[k], I[(k + 1) % 3] + I[(k + 2) % 3]);
+        one.inertia = PrincipalInertia<double>(I[0], I[1], I[2]);
         one.now.omega = one.now.q.conjugate() * one.now.omega;
         return one;
     }

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The half-step Jacobian for any spin and any steps: it keeps the energy and |L|.
+/// The half-step Jacobian for any spin and any sequence of steps: it keeps the energy and |L|.
 
 #include <algorithm>
 #include <cmath>
@@ -10,37 +10,39 @@
 
 namespace timestep {
 
-/// The half-step Jacobian, in substeps where it might be singular, and scaled back to the energy
-/// that the step began with. Unscaled it keeps E/Δ and |L|²/Δ, where Δ is its determinant for the
-/// component of ω about the intermediate moment's axis alone, over that at rest. So |L|²/E stays in
-/// every step, and the scaling brings both back, to roundoff: ω stays on the true curve at any
-/// spin, when steps vary, and from one impulse to the next. What is off is only when it is where,
-/// by order two.
+/// The half-step Jacobian, in substeps if it might be singular, and scaled back to the energy that
+/// the step began with. Unscaled, it keeps E/Δ and |L|²/Δ, where Δ is its determinant for the
+/// component of ω about the intermediate axis alone, over that at rest. So |L|²/E stays in every
+/// step, and the scaling restores both to roundoff: ω stays on the true curve at any spin, with
+/// varying steps, and between impulses. Only the time at which ω reaches each point of the curve is
+/// off, by order two.
 ///
-/// A body that asks for more than `most` substeps gets that many, and circles on its curve too
-/// slowly: safe, and not right. Where (hω)² is too large for a number it may give back NaN.
-struct CalmHalfStep {
+/// A body that needs more than `most` substeps gets `most` of them and circles on its curve too
+/// slowly: safe, but not accurate. If (hω)² is too large for a number, the step may return NaN.
+struct CalmHalfStep : PassiveIfSymmetric<CalmHalfStep> {
     static constexpr const char* name = "calm half-step";  ///< for tables and keys
     static constexpr int order = 2;                        ///< of the error of ω after a whole run
+    using PassiveIfSymmetric<CalmHalfStep>::step;
     static constexpr double angle =
-        0.5;  ///< by which ω may circle in a substep, reckoned with the step's first ω; rad
-    static constexpr int most = 32;  ///< substeps
+        0.5;  ///< the angle, rad, by which ω may circle in a substep, from the step's first ω
+    static constexpr int most = 32;  ///< the largest number of substeps
 
-    // How far does ω circle in a step? With p_x = |a_y a_z| θ_x² and so on round, θ = hω, and r the
-    // axis of the intermediate moment, the exact motion circles by the root of the larger of p_r +
-    // p_i and p_r + p_j. Both stay, and the sum of all three, which we take, is at least as large.
-    // And Δ = 1 − p_r/4, so it is above 15/16 in substeps for which that sum is below ¼. In these
-    // the substeps keep both over Δ, and p_r is at most ¼ on the way, too: p_r/Δ is at most
-    // ¼/(15/16). The sum itself is at most (¼ + ¼)/(15/16) = 8/15 there: reckoned with the ω on the
-    // way, a substep circles by up to 0.73 and not 0.5.
+    // The angle by which ω circles in a step: with p_x = |a_y a_z| θ_x² and so on round, θ = hω,
+    // and r the axis of the intermediate moment, the exact motion circles by the root of the larger
+    // of p_r + p_i and p_r + p_j. Both stay, and the sum of all three, which is used here, is at
+    // least as large. And Δ = 1 − p_r/4, so it is above 15/16 in substeps for which that sum is
+    // below ¼. In these the substeps keep both over Δ, and p_r is at most ¼ on the way, too: p_r/Δ
+    // is at most ¼/(15/16). The sum itself is at most (¼ + ¼)/(15/16) = 8/15 there: reckoned with
+    // the ω on the way, a substep circles by up to 0.73 and not 0.5.
     //
     // The scaling, by √(E₁/E₂) = 1 + share: the share has all its digits, a root near one would
     // have lost them, always to the same side, and in float 1 % of the energy an hour.
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     /// [step]
     template <class Real>
-    TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia,
-                                       const Vector3<Real>& omega, Real h) const noexcept {
+    [[nodiscard]] TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia,
+                                                     const Vector3<Real>& omega,
+                                                     Real h) const noexcept {
         const Vector3<Real>& a = inertia.ratio;
         const Vector3<Real> aa(a.y() * a.z(), a.z() * a.x(), a.x() * a.y());
         const Real circled2 = dot(aa.cwiseAbs(), (h * omega).cwiseAbs2());
@@ -62,28 +64,6 @@ struct CalmHalfStep {
         return w + share * w;
     }
     /// [step]
-
-    /// The same where two moments are equal: the passive step, which keeps energy and |L| there.
-    template <class Real>
-    TIMESTEP_INLINE Vector3<Real> step(const SymmetricInertia<Real>& inertia,
-                                       const Vector3<Real>& omega, Real h) const noexcept {
-        return passive_gyroscopic.step(inertia, omega, h);
-    }
-
-    /// The same with another odd axis.
-    template <Axis axis, class Real>
-    TIMESTEP_INLINE Vector3<Real> step(const SymmetricAbout<axis, Real>& inertia,
-                                       const Vector3<Real>& omega, Real h) const noexcept {
-        return inertia.from_z(step(inertia.about_z, inertia.to_z(omega), h));
-    }
-
-    /// The same in any axes: there and back by way of the principal ones.
-    template <class Real>
-    Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const noexcept {
-        const Vector3<Real> turned = in_body(inertia.axes, omega);
-        return in_world(inertia.axes, step(inertia.principal, turned, h));
-    }
 };
 
 inline constexpr CalmHalfStep calm_half_step;  ///< the method as a value

@@ -11,16 +11,17 @@
 
 namespace timestep {
 
-/// The ω₂ with I(ω₂ − ω₁) + h ω₂ × Iω₂ = 0, to the last digit (N48). Never adds energy (N51), damps
-/// as much as the talk's single iteration does where that one is stable, and costs several times as
-/// much. The course has it to tell what is Newton-Raphson's fault and what is implicit Euler's.
+/// The ω₂ with I(ω₂ − ω₁) + h ω₂ × Iω₂ = 0, to the last digit (N48). It never adds energy (N51),
+/// damps as much as the talk's single iteration while that one is stable, and costs several times
+/// as much. The course uses it to separate Newton–Raphson's faults from implicit Euler's.
 ///
-/// For long steps several ω₂ solve this. It gives back the one that is ω₁ at h = 0 and moves on
-/// without a jump as h grows. There is one for every h; in the end it turns about the axis that the
-/// exact motion circles. Where (hω)² is too large for a number it gives back NaN.
-struct ConvergedGyroscopic {
+/// For long steps several ω₂ solve this equation. The step returns the root that is ω₁ at h = 0 and
+/// changes without a jump as h grows. There is one for every h; for long steps it points along the
+/// axis that the exact motion circles. Returns NaN if (hω)² is too large for a number.
+struct ConvergedGyroscopic : InOtherAxes<ConvergedGyroscopic> {
     static constexpr const char* name = "implicit, converged";  ///< for tables and keys
     static constexpr int order = 1;                             ///< of the error after a whole run
+    using InOtherAxes<ConvergedGyroscopic>::step;
 
     // In y = √I ω (energy ½|y|²) the equation is y₂ + h g∘(y₂y₃, y₃y₁, y₁y₂) = y₁ with
     // g = (I₃ − I₂, I₁ − I₃, I₂ − I₁)/√(I₁I₂I₃). (Below, U are the moments with the product one.)
@@ -29,53 +30,41 @@ struct ConvergedGyroscopic {
     /// One step of `h` seconds; `omega` in body coordinates, rad/s. Calls `iterated()` after each
     /// iteration.
     template <class Real, class Iterated>
-    Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega, Real h,
-                       const Iterated& iterated) const {
+    [[nodiscard]] Vector3<Real> step(const PrincipalInertia<Real>& inertia,
+                                     const Vector3<Real>& omega, Real h,
+                                     const Iterated& iterated) const {
         const Vector3<Real>& U = inertia.unit;
         const Vector3<Real> g = U.cwiseProduct(inertia.ratio);
         const Vector3<Real> r = U.cwiseSqrt();
         const Vector3<Real> y1 = r.cwiseProduct(omega);
         return follow(Vector3<Real>(h * g), y1, iterated).cwiseQuotient(r);
     }
-    /// The same, and nobody counts.
+    /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     template <class Real>
-    Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const {
+    [[nodiscard]] Vector3<Real> step(const PrincipalInertia<Real>& inertia,
+                                     const Vector3<Real>& omega, Real h) const {
         return step(inertia, omega, h, [] {});
     }
 
-    /// The same where two moments are equal: linear, so one iteration is the solution.
+    /// One step of `h` seconds of a body with two equal moments; `omega` in body coordinates,
+    /// rad/s. The equation is linear there, so one iteration is the solution.
     template <class Real>
-    Vector3<Real> step(const SymmetricInertia<Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const {
+    [[nodiscard]] Vector3<Real> step(const SymmetricInertia<Real>& inertia,
+                                     const Vector3<Real>& omega, Real h) const {
         const Real angle = h * inertia.precession_ratio * omega.z();
         const Real share = 1 / (1 + angle * angle);
         return {share * (omega.x() - angle * omega.y()), share * (omega.y() + angle * omega.x()),
                 omega.z()};
     }
 
-    /// The same with another odd axis.
-    template <Axis axis, class Real>
-    TIMESTEP_INLINE Vector3<Real> step(const SymmetricAbout<axis, Real>& inertia,
-                                       const Vector3<Real>& omega, Real h) const {
-        return inertia.from_z(step(inertia.about_z, inertia.to_z(omega), h));
-    }
-
-    /// The same in any axes: there and back by way of the principal ones.
-    template <class Real>
-    Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega, Real h) const {
-        const Vector3<Real> turned = in_body(inertia.axes, omega);
-        return in_world(inertia.axes, step(inertia.principal, turned, h));
-    }
-
 private:
-    // For long steps there are several roots, and Newton-Raphson from y₁ may find any of them. Ours
+    // For long steps there are several roots, and Newton–Raphson from y₁ may find any of them. Ours
     // is followed from h = 0, where it is y₁, as h grows: each stretch starts from the root of the
-    // one before, is halved when it fails, and doubled when it does not. NaN when it gets no
-    // farther: a stretch that changes no digit, or as many of them as would halve 1 to the smallest
-    // number and double it back, twice.
+    // one before, is halved if it fails, and doubled if not. The result is NaN if a stretch changes
+    // no digit, or after as many stretches as would halve 1 to the smallest number and double it
+    // back, twice.
     //
-    // We know our root when we see it. The exact motion circles the axis k of the least or of the
+    // Our root can be recognised. The exact motion circles the axis k of the least or of the
     // largest moment, and along that one our root keeps the sign of y₁ and at least half of it; no
     // other root does. For let y be a root, a = y₁, and w = h times the product of y's parts. Then
     //     yᵢ² − aᵢ yᵢ + gᵢ w = 0,  yᵢ = aᵢ/2 ± √(aᵢ²/4 − gᵢ w),  h = w / product.
@@ -123,8 +112,8 @@ private:
         return std::abs(y1[i]) * root[j] > std::abs(y1[j]) * root[i] ? i : j;
     }
 
-    // Newton-Raphson from `y`; has it found the root? One more iteration after the residual is down
-    // to roundoff takes what is left of it.
+    // Newton–Raphson from `y`; returns whether it has found the root. One more iteration, after the
+    // residual is down to roundoff, removes the rest.
     template <class Real, class Iterated>
     static bool newton(const Vector3<Real>& hg, const Vector3<Real>& y1, Vector3<Real>& y,
                        const Iterated& iterated) {

@@ -8,18 +8,19 @@
 
 namespace timestep {
 
-/// ImplicitGyroscopic with h/2 where the Jacobian has h, and nothing else: Kahan's discretisation
-/// (1993), for Euler's equations also found by Hirota and Kimura (2000). Order two; a step of −h
-/// undoes a step of h; the energy oscillates and does not drift. Two quantities are kept exactly,
-/// which confine ω to a closed curve near the true one.
+/// ImplicitGyroscopic with h/2 instead of h in the Jacobian, and no other change: Kahan's
+/// discretisation (1993), found for Euler's equations also by Hirota and Kimura (2000). Order two;
+/// a step of −h undoes a step of h; the energy oscillates and does not drift. Two quantities are
+/// kept exactly and confine ω to a closed curve near the true one.
 ///
-/// With the first h|ω| below 2, and h the same in every step, the energy is never more than
-/// 1/(1 − (h|ω|/2)²) of that at the start. Beyond, the Jacobian may be singular: the step may add
-/// energy without limit, or divide by zero; and where steps vary or impulses act, gains add up.
-/// CalmHalfStep keeps the energy then, too.
-struct HalfStepJacobian {
+/// If h|ω| is below 2 at the start and h is constant, the energy never exceeds 1/(1 − (h|ω|/2)²)
+/// times that at the start. Beyond, the Jacobian may be singular: the step may add energy without
+/// limit, or divide by zero. If steps vary or impulses act, gains add up. CalmHalfStep keeps the
+/// energy in those cases too.
+struct HalfStepJacobian : PassiveIfSymmetric<HalfStepJacobian> {
     static constexpr const char* name = "half-step Jacobian";  ///< for tables and keys
     static constexpr int order = 2;  ///< of the error of ω after a whole run
+    using PassiveIfSymmetric<HalfStepJacobian>::step;
 
     // The torque −ω × Iω is quadratic in ω. The mean of the torques at both ends, with the one at
     // the end linearised about ω₁, where ω has changed by d and G is the derivative of ω × Iω, is
@@ -29,8 +30,9 @@ struct HalfStepJacobian {
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     /// [step]
     template <class Real>
-    TIMESTEP_INLINE Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega,
-                                       Real h) const noexcept {
+    [[nodiscard]] TIMESTEP_INLINE Vector3<Real> step(const FullInertia<Real>& inertia,
+                                                     const Vector3<Real>& omega,
+                                                     Real h) const noexcept {
         const Matrix3<Real>& I = inertia.unit;
         const Vector3<Real> L = times(I, omega);
         const Vector3<Real> residual = h * omega.cross(L);
@@ -39,11 +41,12 @@ struct HalfStepJacobian {
     }
     /// [step]
 
-    /// The same where I has three moments, each row divided by its own.
-    /// [principal]
+    /// One step of `h` seconds of a body with three moments, each row divided by its own; `omega`
+    /// in body coordinates, rad/s. [principal]
     template <class Real>
-    TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia,
-                                       const Vector3<Real>& omega, Real h) const noexcept {
+    [[nodiscard]] TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia,
+                                                     const Vector3<Real>& omega,
+                                                     Real h) const noexcept {
         const Real half = h / 2;
         const Vector3<Real> a = half * inertia.ratio;
         const Real x = omega.x(), y = omega.y(), z = omega.z();
@@ -54,23 +57,6 @@ struct HalfStepJacobian {
         return omega - solve3(column1, column2, column3, residual);
     }
     /// [principal]
-
-    // The equations are x₂ + θ/2 y₂ = x₁ − θ/2 y₁ and y₂ − θ/2 x₂ = y₁ + θ/2 x₁, a turn by 2
-    // atan(θ/2) where the true motion turns by θ. Up to three radians the passive step's turn is
-    // nearer to that.
-    /// The same where two moments are equal: never singular, energy and momentum stay.
-    template <class Real>
-    TIMESTEP_INLINE Vector3<Real> step(const SymmetricInertia<Real>& inertia,
-                                       const Vector3<Real>& omega, Real h) const noexcept {
-        return passive_gyroscopic.step(inertia, omega, h);
-    }
-
-    /// The same with another odd axis.
-    template <Axis axis, class Real>
-    TIMESTEP_INLINE Vector3<Real> step(const SymmetricAbout<axis, Real>& inertia,
-                                       const Vector3<Real>& omega, Real h) const noexcept {
-        return inertia.from_z(step(inertia.about_z, inertia.to_z(omega), h));
-    }
 };
 
 inline constexpr HalfStepJacobian half_step_jacobian;  ///< the method as a value

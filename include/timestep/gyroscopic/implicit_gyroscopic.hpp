@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The talk's solver: implicit Euler on the gyroscopic torque, one Newton-Raphson iteration.
+/// The talk's solver: implicit Euler on the gyroscopic torque, one Newton–Raphson iteration.
 
 #include <timestep/inline.hpp>
 #include <timestep/rigid/symmetric_about.hpp>
@@ -9,21 +9,23 @@
 
 namespace timestep {
 
-/// Implicit Euler asks for the ω₂ with I(ω₂ − ω₁) + h ω₂ × Iω₂ = 0, in body coordinates, where I is
-/// constant. One Newton-Raphson iteration from ω₁ gives the talk's solver (N47, N48). It tumbles as
-/// it should and loses energy. It is not safe: for h|ω| near 1 and above, the one iteration may add
-/// energy, without limit (N51). PassiveGyroscopic cannot.
-struct ImplicitGyroscopic {
+/// Implicit Euler's ω₂ solves I(ω₂ − ω₁) + h ω₂ × Iω₂ = 0 in body coordinates, where I is constant.
+/// One Newton–Raphson iteration from ω₁ is the talk's solver (N47, N48). Bodies tumble on time and
+/// lose energy. The solver is not safe: for h|ω| near 1 and above, the single iteration may add
+/// energy without limit (N51). PassiveGyroscopic never adds energy.
+struct ImplicitGyroscopic : InOtherAxes<ImplicitGyroscopic> {
     static constexpr const char* name = "one Newton step";  ///< for tables and keys
     static constexpr int order = 1;                         ///< of the error after a whole run
+    using InOtherAxes<ImplicitGyroscopic>::step;
 
     // The residual at ω₁ is h ω × Iω. Its derivative, by the product rule, a × b = skew(a) b and
     // −b × a = −skew(b) a:  J = I + h (skew(ω) I − skew(Iω)).
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     /// [step]
     template <class Real>
-    TIMESTEP_INLINE Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega,
-                                       Real h) const noexcept {
+    [[nodiscard]] TIMESTEP_INLINE Vector3<Real> step(const FullInertia<Real>& inertia,
+                                                     const Vector3<Real>& omega,
+                                                     Real h) const noexcept {
         const Matrix3<Real>& I = inertia.unit;  // so scaled that no determinant underflows
         const Vector3<Real> L = times(I, omega);
         const Vector3<Real> residual = h * omega.cross(L);
@@ -37,11 +39,12 @@ struct ImplicitGyroscopic {
     //     residual  h (a₁ω₂ω₃, a₂ω₃ω₁, a₃ω₁ω₂),    J = | 1     ha₁ω₃  ha₁ω₂ |
     //                                                   | ha₂ω₃  1     ha₂ω₁ |
     //                                                   | ha₃ω₂  ha₃ω₁  1    |
-    /// The same where I has three moments.
+    /// One step of `h` seconds of a body with three moments; `omega` in body coordinates, rad/s.
     /// [principal]
     template <class Real>
-    TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia,
-                                       const Vector3<Real>& omega, Real h) const noexcept {
+    [[nodiscard]] TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia,
+                                                     const Vector3<Real>& omega,
+                                                     Real h) const noexcept {
         const Vector3<Real> a = h * inertia.ratio;
         const Real x = omega.x(), y = omega.y(), z = omega.z();
         const Vector3<Real> residual(a.x() * y * z, a.y() * z * x, a.z() * x * y);
@@ -55,24 +58,18 @@ struct ImplicitGyroscopic {
     // The torque of a symmetric body has no component along its axis: ω_z is known, the equations
     // for the other two are linear in them, and one iteration is the solution:
     //     x₂ + θ y₂ = x₁,  y₂ − θ x₂ = y₁  with θ = h (along − across)/across ω_z.
-    /// The same where two moments are equal.
-    /// [symmetric]
+    /// One step of `h` seconds of a body with two equal moments; `omega` in body coordinates,
+    /// rad/s. [symmetric]
     template <class Real>
-    TIMESTEP_INLINE Vector3<Real> step(const SymmetricInertia<Real>& inertia,
-                                       const Vector3<Real>& omega, Real h) const noexcept {
+    [[nodiscard]] TIMESTEP_INLINE Vector3<Real> step(const SymmetricInertia<Real>& inertia,
+                                                     const Vector3<Real>& omega,
+                                                     Real h) const noexcept {
         const Real angle = h * inertia.precession_ratio * omega.z();
         const Real share = 1 / (1 + angle * angle);
         return {share * (omega.x() - angle * omega.y()), share * (omega.y() + angle * omega.x()),
                 omega.z()};
     }
     /// [symmetric]
-
-    /// The same with another odd axis.
-    template <Axis axis, class Real>
-    TIMESTEP_INLINE Vector3<Real> step(const SymmetricAbout<axis, Real>& inertia,
-                                       const Vector3<Real>& omega, Real h) const noexcept {
-        return inertia.from_z(step(inertia.about_z, inertia.to_z(omega), h));
-    }
 };
 
 inline constexpr ImplicitGyroscopic implicit_gyroscopic;  ///< the method as a value

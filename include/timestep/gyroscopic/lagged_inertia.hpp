@@ -6,9 +6,10 @@
 
 namespace timestep {
 
-/// Steps the angular momentum L, in which no gyroscopic term appears: L̇ = T (N45). But the
-/// orientation needs ω₂ = I₂⁻¹L₂, and I₂, the inertia in world coordinates, depends on the
-/// orientation that is not known yet: I₁ has to do. L is kept to roundoff; the energy is anybody's.
+/// Steps the angular momentum L, for which there is no gyroscopic term: L̇ = T (N45). But the
+/// orientation needs ω₂ = I₂⁻¹L₂, and the inertia in world coordinates, I₂, depends on the
+/// orientation that is not known yet, so I₁ is used. L is kept to roundoff; the energy may grow or
+/// fall.
 struct LaggedInertia {
     static constexpr const char* name = "momentum, lagged inertia";  ///< for tables and keys
     static constexpr int order = 1;  ///< of the error after a whole run
@@ -16,9 +17,8 @@ struct LaggedInertia {
 
 inline constexpr LaggedInertia lagged_inertia;  ///< the method as a value
 
-// The state holds ω instead of L. In it ω = I⁻¹L at the orientation of the same moment, so the
-// lagged inertia with the old momentum is the ω that the state holds, and I₂⁻¹L₂ is made for the
-// next step.
+// The state holds ω instead of L: ω = I⁻¹L at its own orientation. So the state's ω is the old
+// momentum over the lagged inertia, and I₂⁻¹L₂ is computed for the next step.
 /// One step of `h` seconds without a torque from outside.
 /// [step]
 template <class Inertia, class Real>

@@ -7,16 +7,16 @@
 
 namespace timestep {
 
-/// ω₂ = ω₁: most engines drop the term, or have it off by default (N44). Nothing can blow up, and
-/// nothing tumbles: ω stands still in the world, and the angular momentum, which should, does not.
+/// ω₂ = ω₁: most engines drop the term, or have it off by default (N44). No body blows up, and none
+/// tumbles: ω is constant in the world, where the angular momentum should be.
 struct NoGyroscopic {
     static constexpr const char* name = "dropped";  ///< for tables and keys
-    static constexpr int order = 0;                 ///< it does not converge to the motion at all
+    static constexpr int order = 0;                 ///< it does not converge to the motion
 
-    /// `omega` in body coordinates, rad/s, as it came.
+    /// Returns `omega` (body coordinates, rad/s) unchanged.
     template <class Inertia, class Real>
-    TIMESTEP_INLINE Vector3<Real> step(const Inertia&, const Vector3<Real>& omega,
-                                       Real) const noexcept {
+    [[nodiscard]] TIMESTEP_INLINE Vector3<Real> step(const Inertia&, const Vector3<Real>& omega,
+                                                     Real) const noexcept {
         return omega;
     }
 };

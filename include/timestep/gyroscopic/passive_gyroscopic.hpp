@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A gyroscopic step that never adds energy: for engines where a rule can only act before the
+/// A gyroscopic step that never adds energy, for engines in which a rule can act only before the
 /// contacts.
 
 #include <timestep/inline.hpp>
@@ -9,20 +9,21 @@
 
 namespace timestep {
 
-/// The passive step, linearly implicit. It takes the angular momentum L from the old state and the
-/// angular velocity from the new one, I(ω₂ − ω₁) = h L₁ × ω₂ (as the engine ODE does), so that the
-/// equation is linear and the torque does no work. Its solution is explicit Euler's, and a little
-/// more, over a number: a few lines without a branch, and without a determinant that could vanish.
+/// The passive step, linearly implicit. It uses the angular momentum L of the old state and the
+/// angular velocity of the new one, I(ω₂ − ω₁) = h L₁ × ω₂ (as the engine ODE does), so that the
+/// equation is linear and the torque does no work. The solution is explicit Euler's with one more
+/// term, divided by a number: a few lines without a branch or a determinant that could vanish.
 ///
-/// Order one, as the talk's solver; the energy never grows, for any inertia, spin and step (N51).
-/// The angular momentum is kept to order one only: it never shrinks. So a body left alone ends
-/// turning about its largest principal moment, however short the step; where two moments are equal,
-/// say so by SymmetricInertia, whose step loses nothing. All this up to hω = 1e140, in float 1e12,
-/// for moments up to 1e12 to 1. Where (hω)² is too large for a number (hω beyond 1e154, in float
-/// 1e19, less by the root of the moments' ratio) three moments give back NaN.
-struct PassiveGyroscopic {
+/// Order one, like the talk's solver. The energy never grows, for any inertia, spin and step (N51).
+/// The angular momentum is kept to order one only, and never shrinks. So a free body ends up
+/// spinning about the axis of its largest moment, however short the step. If two moments are equal,
+/// use SymmetricInertia, whose step loses nothing. This holds up to hω = 1e140, in `float` 1e12,
+/// for moments up to 1e12 to 1. If (hω)² is too large for a number (hω beyond 1e154, in `float`
+/// 1e19, less by the root of the moments' ratio), three moments return NaN.
+struct PassiveGyroscopic : InOtherAxes<PassiveGyroscopic> {
     static constexpr const char* name = "passive";  ///< for tables and keys
     static constexpr int order = 1;                 ///< of the error after a whole run
+    using InOtherAxes<PassiveGyroscopic>::step;
 
     // In s = √I ω the energy is ½|s|², and with k_x = h L_x/√(I_y I_z) and so on round the equation
     // is
@@ -33,12 +34,13 @@ struct PassiveGyroscopic {
     // is
     //     ω₂ = (ω₁ − p + (l·l) U ω₁) / (1 + l·U l)  with ω₁ = (x, y, z), p = (a_x yz, a_y zx, a_z
     //     xy).
-    // We divide first, so that no product overflows that the division would tame.
+    // Dividing first keeps products from overflowing.
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     /// [step]
     template <class Real>
-    TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia,
-                                       const Vector3<Real>& omega, Real h) const noexcept {
+    [[nodiscard]] TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia,
+                                                     const Vector3<Real>& omega,
+                                                     Real h) const noexcept {
         const Vector3<Real>& U = inertia.unit;
         const Vector3<Real> a = h * inertia.ratio;
         const Vector3<Real> l = h * U.cwiseProduct(omega);
@@ -52,18 +54,19 @@ struct PassiveGyroscopic {
     }
     /// [step]
 
-    // A symmetric body's ω turns about its axis by the angle θ = h (along − across)/across ω_z:
-    // that is the exact motion. A turn is three shears, with t = tan(θ/2) and s = sin θ. A shear by
-    // a rounded t is a shear all the same and changes no area; a rounded cosine and sine make a
-    // turn that grows or shrinks a little, the same way in every step: in float by up to three
-    // percent in an hour. And no tangent is needed: with u = θ/2, u/(1 − u²/3 + u⁴/9) is near
-    // enough that the angle is off by θ⁵/120, and for fast spins, where it is far from the tangent,
-    // it still makes a turn.
-    /// The same where two moments are equal: nothing is lost either.
-    /// [symmetric]
+    // A symmetric body's ω rotates about its axis by the angle θ = h (along − across)/across ω_z:
+    // that is the exact motion. A rotation is three shears, with t = tan(θ/2) and s = sin θ. A
+    // shear by a rounded t is still a shear and changes no area. A rounded cosine and sine make a
+    // rotation that grows or shrinks a little, in the same direction in every step: in `float` by
+    // up to three percent per hour. No tangent is needed: with u = θ/2, u/(1 − u²/3 + u⁴/9) is so
+    // near that the angle is off by θ⁵/120, and for fast spins, where it is far from the tangent,
+    // the step is still a rotation.
+    /// One step of `h` seconds of a body with two equal moments, which keeps energy and |L|;
+    /// `omega` in body coordinates, rad/s. [symmetric]
     template <class Real>
-    TIMESTEP_INLINE Vector3<Real> step(const SymmetricInertia<Real>& inertia,
-                                       const Vector3<Real>& omega, Real h) const noexcept {
+    [[nodiscard]] TIMESTEP_INLINE Vector3<Real> step(const SymmetricInertia<Real>& inertia,
+                                                     const Vector3<Real>& omega,
+                                                     Real h) const noexcept {
         const Real u = h / 2 * inertia.precession_ratio * omega.z();  // θ/2
         const Real p = u * u / 3;
         const Real t = u / (1 - p + p * p);
@@ -73,23 +76,24 @@ struct PassiveGyroscopic {
         return {x - t * y, y, omega.z()};
     }
     /// [symmetric]
-
-    /// The same with another odd axis.
-    template <Axis axis, class Real>
-    TIMESTEP_INLINE Vector3<Real> step(const SymmetricAbout<axis, Real>& inertia,
-                                       const Vector3<Real>& omega, Real h) const noexcept {
-        return inertia.from_z(step(inertia.about_z, inertia.to_z(omega), h));
-    }
-
-    /// The same in any axes: there and back by way of the principal ones.
-    template <class Real>
-    TIMESTEP_INLINE Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega,
-                                       Real h) const noexcept {
-        const Vector3<Real> turned = in_body(inertia.axes, omega);
-        return in_world(inertia.axes, step(inertia.principal, turned, h));
-    }
 };
 
 inline constexpr PassiveGyroscopic passive_gyroscopic;  ///< the method as a value
+
+// The half-step Jacobian's own equations for two equal moments rotate ω by 2 atan(θ/2), where the
+// exact motion rotates it by θ. Up to three radians the passive step is nearer to that.
+/// The steps of InOtherAxes, and for two equal moments the passive step, which keeps energy and |L|
+/// there.
+template <class Solver>
+struct PassiveIfSymmetric : InOtherAxes<Solver> {
+    using InOtherAxes<Solver>::step;
+    /// One step of `h` seconds; `omega` in body coordinates, rad/s.
+    template <class Real>
+    [[nodiscard]] TIMESTEP_INLINE Vector3<Real> step(const SymmetricInertia<Real>& inertia,
+                                                     const Vector3<Real>& omega,
+                                                     Real h) const noexcept {
+        return passive_gyroscopic.step(inertia, omega, h);
+    }
+};
 
 }  // namespace timestep

@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// Decay at a complex rate: every linear motion is made of such, and every method can be tried on
-/// it.
+/// Decay at a complex rate: the part of which every linear motion is a sum.
 
 #include <cmath>
 #include <complex>
@@ -41,7 +40,7 @@ struct ComplexDecay {
         return slope;
     }
 
-    /// The exact state a time `t` after `start`: e^(λt) y₀.
+    /// The exact state `t` seconds after `start`: e^(λt) y₀.
     template <class Y>
     FirstOrder<Y> exact(const FirstOrder<Y>& start, real_of<Y> t) const {
         const std::complex<Real> y =

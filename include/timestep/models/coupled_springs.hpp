@@ -25,10 +25,10 @@ namespace timestep {
 /// The row swings in N patterns, its normal modes, each at one frequency of its own, and every
 /// motion is a sum of them.
 ///
-/// The squares of the frequencies are right to some ε of the LARGEST of them. So a row on both
-/// stiff and soft springs knows its slow modes badly: of an ω² that is 1e-6 of the largest six
-/// digits are lost, and of one that is ε of it or less all of them. Of that, `frequencies`, `modes`
-/// and `exact` suffer, not the acceleration.
+/// The squares of the frequencies are accurate to a few ε of the LARGEST of them. So in a row of
+/// both stiff and soft springs the slow modes are inaccurate: an ω² that is 1e-6 of the largest
+/// loses six digits, and one that is ε of it or less loses all. This affects `frequencies`, `modes`
+/// and `exact`, not the acceleration.
 template <class Real, int N>
 class CoupledSprings {
 public:
@@ -52,7 +52,7 @@ public:
         find_modes(masses, stiffness, free_pieces(stiffnesses));
     }
 
-    /// −M⁻¹ K x, m/s².
+    /// The accelerations −M⁻¹ K x, m/s².
     /// [model]
     template <class X>
     X acceleration(const X& x) const {
@@ -68,7 +68,7 @@ public:
     /// The normal modes: column i is the pattern of displacements that swings at frequency i.
     const Matrix& modes() const { return from_modes_; }
 
-    /// The exact state a time `t` after `start`: each mode by itself is a spring.
+    /// The exact state `t` seconds after `start`: each mode is a spring.
     /// [exact]
     template <class X>
     State<X> exact(const State<X>& start, real_of<X> t) const {

@@ -12,14 +12,14 @@ namespace timestep {
 /// A spring with a damper, a = −ω² x − 2ζω v (N17).
 ///
 /// Dividing m ẍ = −k x − c v by the mass leaves two parameters: ω = √(k/m) and the damping ratio
-/// ζ = c / (2√(k m)). ζ = 0 swings for ever, ζ = 1 is critical, ζ > 1 does not swing at all.
+/// ζ = c / (2√(k m)). ζ = 0 swings for ever, ζ = 1 is critical, ζ > 1 does not swing.
 template <class Real>
 struct DampedSpring {
     Real omega;  ///< angular frequency without damping, rad/s
     Real zeta;   ///< damping ratio, no unit
 
-    /// What the constructor takes, and without an exception.
-    static constexpr bool valid(Real omega_, Real zeta_) noexcept {
+    /// Whether the constructor takes these parameters.
+    [[nodiscard]] static constexpr bool valid(Real omega_, Real zeta_) noexcept {
         using detail::is_finite_parameter;
         return is_finite_parameter(omega_) && omega_ >= 0 && is_finite_parameter(omega_ * omega_) &&
                is_finite_parameter(zeta_) && zeta_ >= 0 && is_finite_parameter(2 * zeta_ * omega_);
@@ -39,8 +39,8 @@ struct DampedSpring {
             omega, zeta);
     }
 
-    /// From stiffness k in N/m, damping c in N·s/m and mass m in kg: ω = √(k/m), ζ = c / (2√(k m)).
-    /// Throws `std::invalid_argument` unless k and m are above zero and c is zero or more.
+    /// A spring of stiffness k, N/m, damping c, N·s/m, and mass m, kg: ω = √(k/m), ζ = c / (2√(k
+    /// m)). Throws `std::invalid_argument` unless k and m are above zero and c is zero or more.
     static DampedSpring from_stiffness(Real k, Real c, Real m) {
         using std::sqrt;
         const Real root_k = sqrt(positive("stiffness", k));
@@ -48,7 +48,7 @@ struct DampedSpring {
         return DampedSpring(root_k / root_m, not_negative("damping", c) / (root_k * root_m) / 2);
     }
 
-    /// −ω² x − 2ζω v, m/s²
+    /// The acceleration −ω² x − 2ζω v, m/s².
     /// [model]
     template <class X>
     constexpr X acceleration(const X& x, const X& v) const {
@@ -59,7 +59,7 @@ struct DampedSpring {
     constexpr Real slope_x() const { return -omega * omega; }     ///< ∂a/∂x, 1/s²
     constexpr Real slope_v() const { return -2 * zeta * omega; }  ///< ∂a/∂v, 1/s
 
-    /// The exact state a time `t` after `start`, for every ζ.
+    /// The exact state `t` seconds after `start`, for every ζ.
     template <class X>
     State<X> exact(const State<X>& start, real_of<X> t) const {
         return zeta < 1 ? swinging(start, t) : creeping(start, t);

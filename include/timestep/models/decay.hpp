@@ -8,7 +8,7 @@
 
 namespace timestep {
 
-/// ẏ = λ y: the rate is proportional to what is there (N11). λ < 0 is decay, such as the glow of an
+/// ẏ = λ y: the rate is proportional to y (N11). λ < 0 is decay, such as the glow of an
 /// ember or a sound that fades; λ > 0 is growth. A first-order system: y is a number or a vector.
 template <class Real>
 struct Decay {
@@ -31,7 +31,7 @@ struct Decay {
         return lambda;
     }
 
-    /// The exact state a time `t` after `start`: y₀ e^(λt).
+    /// The exact state `t` seconds after `start`: y₀ e^(λt).
     template <class Y>
     FirstOrder<Y> exact(const FirstOrder<Y>& start, real_of<Y> t) const {
         using std::exp;

@@ -18,13 +18,13 @@ struct Drag {
     /// `k` in 1/m, zero or more. Throws `std::invalid_argument`.
     explicit Drag(Real k_) : k(not_negative("drag", k_)) {}
 
-    /// From the speed, in m/s, at which a fall under `gravity`, in m/s², stops accelerating:
-    /// there k v² = g.
+    /// The drag whose terminal `speed`, m/s, under `gravity`, m/s², is given: k v² = g. Throws
+    /// `std::invalid_argument`.
     static Drag from_terminal_speed(Real speed, Real gravity) {
         return Drag(not_negative("gravity", gravity) / positive("terminal speed", speed) / speed);
     }
 
-    /// −k |v| v, m/s².
+    /// The acceleration −k |v| v, m/s².
     /// [model]
     template <class X>
     X acceleration(const X& /* x */, const X& v) const {
@@ -38,8 +38,8 @@ struct Drag {
         return 0;
     }
 
-    /// ∂a/∂v = −k |v| (1 + u uᵀ) with the direction u = v / |v|; 0 at rest. By u, not by v vᵀ /
-    /// |v|: near rest v vᵀ underflows and 1 / |v| overflows.
+    /// ∂a/∂v = −k |v| (1 + u uᵀ), 1/s, with the direction u = v / |v|; 0 at rest. The formula uses
+    /// u and not v vᵀ / |v|: near rest v vᵀ underflows and 1 / |v| overflows.
     template <class X>
     auto slope_v(const X& /* x */, const X& v) const {
         using Slope = decltype(outer(v, v));

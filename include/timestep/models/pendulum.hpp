@@ -11,7 +11,7 @@ namespace timestep {
 
 /// A pendulum, a = −ω² sin x, where x is the angle from hanging straight down, in rad, and
 /// ω = √(g/l). Small oscillations are those of a Spring; large ones are slower. The course's
-/// plainest nonlinear force (I05).
+/// simplest nonlinear force (I05).
 template <class Real>
 struct Pendulum {
     Real omega;  ///< angular frequency of small oscillations, rad/s
@@ -22,10 +22,10 @@ struct Pendulum {
             refuse("omega", omega, "small enough that its square is finite");
     }
 
-    /// −ω² sin x, 1/s²
+    /// The angular acceleration −ω² sin x, rad/s².
     /// [model]
     Real acceleration(Real x) const { return -omega * omega * std::sin(x); }
-    /// Its derivative, for implicit methods.
+    /// ∂a/∂x = −ω² cos x, 1/s², for implicit methods.
     Real slope_x(Real x) const { return -omega * omega * std::cos(x); }
     /// [model]
 

@@ -13,17 +13,17 @@ template <class X>
 struct Projectile {
     X gravity;  ///< acceleration, m/s²
 
-    /// Throws `std::invalid_argument` where gravity is not finite.
+    /// `gravity` in m/s², finite. Throws `std::invalid_argument`.
     explicit Projectile(const X& gravity_) : gravity(gravity_) {
         if (!is_finite(gravity)) refuse("gravity: must be finite");
     }
 
-    /// Gravity, wherever the body is and however it moves.
+    /// Gravity, m/s², at any position and velocity.
     /// [model]
     X acceleration() const { return gravity; }
     /// [model]
 
-    /// The exact state a time `t` after `start`: y₀ + v₀ t + ½ a t², a parabola.
+    /// The exact state `t` seconds after `start`: y₀ + v₀ t + ½ a t², a parabola.
     State<X> exact(const State<X>& start, real_of<X> t) const {
         return {start.t + t, start.x + t * start.v + t / 2 * (t * gravity), start.v + t * gravity};
     }

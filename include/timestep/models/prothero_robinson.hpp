@@ -9,8 +9,8 @@
 namespace timestep {
 
 /// Prothero and Robinson's problem ẏ = λ(y − cos t) − sin t (Math. Comp. 28, 1974). Its solution
-/// from y(0) = 1 is cos t for every λ, and for λ far below zero whatever is off is pulled there at
-/// once. A method's answer is wrong only by what it makes of the pull.
+/// from y(0) = 1 is cos t for every λ, and for λ far below zero other solutions are pulled there at
+/// once. So a method's error shows how it treats the pull.
 template <class Real>
 struct ProtheroRobinson {
     Real lambda;  ///< rate of the pull, 1/s
@@ -18,7 +18,7 @@ struct ProtheroRobinson {
     /// `lambda` in 1/s, any finite number. Throws `std::invalid_argument`.
     explicit ProtheroRobinson(Real lambda_) : lambda(finite("lambda", lambda_)) {}
 
-    /// λ(y − cos t) − sin t
+    /// The rate λ(y − cos t) − sin t.
     /// [model]
     Real operator()(Real t, Real y) const { return lambda * (y - std::cos(t)) - std::sin(t); }
     /// [model]
@@ -26,8 +26,8 @@ struct ProtheroRobinson {
     /// ∂f/∂y = λ, 1/s.
     Real slope_y(Real /* t */, Real /* y */) const { return lambda; }
 
-    /// The exact state a time `t` after `start`: cos t, and what was off at the start, times
-    /// e^(λt).
+    /// The exact state `t` seconds after `start`: cos t, plus the distance from it at the
+    /// start times e^(λt).
     FirstOrder<Real> exact(const FirstOrder<Real>& start, Real t) const {
         using std::cos, std::exp;
         return {start.t + t, cos(start.t + t) + (start.y - cos(start.t)) * exp(lambda * t)};

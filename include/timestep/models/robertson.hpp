@@ -14,7 +14,7 @@ namespace timestep {
 template <class Real>
 struct Robertson {
     using Vector = Eigen::Matrix<Real, 3, 1>;  ///< the shares
-    using Matrix = Eigen::Matrix<Real, 3, 3>;  ///< of the derivatives
+    using Matrix = Eigen::Matrix<Real, 3, 3>;  ///< the derivatives
 
     /// The rates of the three shares.
     /// [model]
@@ -26,7 +26,7 @@ struct Robertson {
     }
     /// [model]
 
-    /// Their derivatives.
+    /// ∂f/∂y, the derivatives of the rates.
     Matrix slope_y(Real /* t */, const Vector& y) const {
         const Real a = Real(0.04), b = Real(1e4) * y[2], c = Real(1e4) * y[1], d = Real(6e7) * y[1];
         Matrix slope;

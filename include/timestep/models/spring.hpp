@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The mass on a spring: the system on which every method of the course is tried first.
+/// The mass on a spring, on which the course tries every method first.
 
 #include <cmath>
 
@@ -18,8 +18,8 @@ template <class Real>
 struct Spring {
     Real omega;  ///< angular frequency, rad/s
 
-    /// What the constructor takes, and without an exception.
-    static constexpr bool valid(Real omega_) noexcept {
+    /// Whether the constructor takes this frequency.
+    [[nodiscard]] static constexpr bool valid(Real omega_) noexcept {
         return omega_ >= 0 && detail::is_finite_parameter(omega_) &&
                detail::is_finite_parameter(omega_ * omega_);
     }
@@ -34,14 +34,15 @@ struct Spring {
             omega);
     }
 
-    /// From stiffness k in N/m and mass m in kg: ω = √(k/m), the roots first, as k/m may overflow
-    /// where ω does not.
+    /// A spring of stiffness k, N/m, zero or more, and mass m, kg, above zero: ω = √(k/m). The
+    /// roots are taken first, because k/m may overflow when ω does not. Throws
+    /// `std::invalid_argument`.
     static Spring from_stiffness(Real k, Real m) {
         using std::sqrt;
         return Spring(sqrt(not_negative("stiffness", k)) / sqrt(positive("mass", m)));
     }
 
-    /// −ω² x, m/s²
+    /// The acceleration −ω² x, m/s².
     /// [model]
     template <class X>
     constexpr X acceleration(const X& x) const {
@@ -49,7 +50,7 @@ struct Spring {
     }
     /// [model]
 
-    /// ∂a/∂x = −ω², everywhere the same.
+    /// ∂a/∂x = −ω², 1/s², a constant.
     constexpr Real slope_x() const { return -omega * omega; }
 
     /// Energy per unit of mass, m²/s²: kinetic ½v² and stored ½ω²x².
@@ -62,8 +63,8 @@ struct Spring {
     }
 
     /// [exact]
-    /// The exact state a time `t` after `start`: x₀ cos ωt + (v₀/ω) sin ωt and its derivative. A
-    /// `State<float>` gets its future in float, whatever the spring's numbers.
+    /// The exact state `t` seconds after `start`: x₀ cos ωt + (v₀/ω) sin ωt and its derivative. The
+    /// result has the numbers of the state, whatever those of the spring.
     template <class X>
     State<X> exact(const State<X>& start, real_of<X> t) const {
         using std::cos, std::sin;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A spring with a length of its own, in two or three dimensions.
+/// A spring with a rest length, in two or three dimensions.
 
 #include <timestep/checks.hpp>
 #include <timestep/linear_solve.hpp>
@@ -11,7 +11,7 @@ namespace timestep {
 /// An elastic rope or rod from the origin, a = −ω² (|x| − L) x / |x|: pulls when it is longer than
 /// its rest length L, pushes when it is shorter (I03). The pull is along the tether, so the angular
 /// momentum x × v never changes. The rest length makes the force nonlinear and ties the components
-/// together; with L = 0 it is the Spring, whose components do not know of each other.
+/// together; with L = 0 it is the Spring, whose components are independent.
 template <class Real>
 struct Tether {
     Real omega;   ///< angular frequency of the oscillation along the tether, rad/s
@@ -26,8 +26,8 @@ struct Tether {
     }
 
     // With the direction u = x / |x| of the tether, (|x| − L) u = x − L u is the stretch. At the
-    // origin the tether has no direction, and we let it exert no force.
-    /// −ω² (x − L u), m/s².
+    // origin the tether has no direction, and exerts no force.
+    /// The acceleration −ω² (x − L u), m/s².
     /// [model]
     template <class X>
     X acceleration(const X& x) const {
@@ -35,9 +35,8 @@ struct Tether {
     }
     /// [model]
 
-    /// ∂a/∂x = −ω² (1 − L/|x| (1 − u uᵀ)): along the tether that of a spring. Across it L/|x| grows
-    /// without limit towards the origin; where it is no number, at the origin and next to it, it
-    /// counts as 0.
+    /// ∂a/∂x = −ω² (1 − L/|x| (1 − u uᵀ)), 1/s²: along the tether that of a spring. Across it,
+    /// L/|x| grows without limit towards the origin; where it overflows, it counts as 0.
     template <class X>
     auto slope_x(const X& x) const {
         using Number = real_of<X>;

@@ -14,7 +14,7 @@ namespace timestep {
 template <class Real>
 struct VanDerPol {
     using Vector = Eigen::Matrix<Real, 2, 1>;  ///< y₁ and y₂
-    using Matrix = Eigen::Matrix<Real, 2, 2>;  ///< of the derivatives
+    using Matrix = Eigen::Matrix<Real, 2, 2>;  ///< the derivatives
     Real mu;                                   ///< stiffness, 1/s²
 
     /// `mu` above zero. Throws `std::invalid_argument`.
@@ -27,7 +27,7 @@ struct VanDerPol {
     }
     /// [model]
 
-    /// Their derivatives.
+    /// ∂f/∂y, the derivatives of the rates.
     Matrix slope_y(Real /* t */, const Vector& y) const {
         Matrix slope;
         slope << 0, 1, -mu * (2 * y[0] * y[1] + 1), mu * (1 - y[0] * y[0]);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A body whose kind is known only when it is loaded: three moments pick it.
+/// A body whose kind of inertia is known only at run time: three moments pick it.
 
 #include <algorithm>
 #include <cmath>
@@ -12,17 +12,17 @@
 
 namespace timestep {
 
-/// The inertia that three moments along the body's axes ask for: a ball's (all equal), a symmetric
-/// body's (two equal, and any axis may be the odd one) or a box's. Two that differ by at most eight
-/// roundoffs are equal.
+/// The inertia of three moments along the body's axes: a ball's (all equal), a symmetric body's
+/// (two equal; any axis may be the odd one) or a box's. Moments that differ by at most eight
+/// roundoffs count as equal.
 ///
-/// The kind is asked in every step. Where it matters, sort bodies by kind (Bodies) instead.
+/// Every step branches on the kind. If that costs too much, sort bodies by kind (Bodies) instead.
 template <class Real>
 class AnyInertia {
 public:
     using Scalar = Real;  ///< the real number type
-    /// Is there a body with these moments? What the constructor takes, and without an exception.
-    static bool valid(const Vector3<Real>& moments) {
+    /// Whether the constructor takes these moments.
+    [[nodiscard]] static bool valid(const Vector3<Real>& moments) {
         return PrincipalInertia<Real>::valid(moments.x(), moments.y(), moments.z());
     }
 
@@ -30,15 +30,15 @@ public:
     /// `std::invalid_argument`.
     explicit AnyInertia(const Vector3<Real>& moments) : kind_(picked(moments)) {}
 
-    /// What may be picked.
+    /// The kinds that may be picked.
     using Kind =
         std::variant<UniformInertia<Real>, SymmetricAbout<Axis::x, Real>,
                      SymmetricAbout<Axis::y, Real>, SymmetricInertia<Real>, PrincipalInertia<Real>>;
-    /// Which was.
+    /// The kind that was picked.
     const Kind& kind() const { return kind_; }
 
-    /// One gyroscopic step by `solver`, `omega` in the body's axes, rad/s, with the formula of the
-    /// kind.
+    /// One gyroscopic step of `h` seconds by `solver`, with the formula of the kind; `omega` in the
+    /// body's axes, rad/s.
     template <class Gyroscopic>
     Vector3<Real> step(const Gyroscopic& solver, const Vector3<Real>& omega, Real h) const {
         return std::visit(
@@ -56,7 +56,7 @@ private:
         return std::abs(a - b) <= 8 * std::numeric_limits<Real>::epsilon() * std::max(a, b);
     }
     static Kind picked(const Vector3<Real>& I) {
-        const PrincipalInertia<Real> checked(I.x(), I.y(), I.z());  // refuses what is none
+        const PrincipalInertia<Real> checked(I.x(), I.y(), I.z());  // throws if they are no body's
         const bool xy = equal(I.x(), I.y()), yz = equal(I.y(), I.z()), zx = equal(I.z(), I.x());
         if (xy && zx) return UniformInertia<Real>(I.x());
         if (xy) return SymmetricInertia<Real>(I.x(), I.z());

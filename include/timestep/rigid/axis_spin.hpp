@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A turn about one axis of the body: what splittings are made of.
+/// A rotation about one axis of the body: the part from which splittings are built.
 
 #include <timestep/inline.hpp>
 #include <timestep/own_math.hpp>
@@ -8,18 +8,18 @@
 
 namespace timestep {
 
-/// Orientation and angular momentum of a body that turns about one of its axes after the other.
+/// Orientation and angular momentum of a body that rotates about one of its axes after another.
 template <class Real>
 struct AxisSpin {
     Quaternion<Real> q;  ///< orientation
     Vector3<Real> L;     ///< angular momentum in body coordinates
 
-    // The sine and cosine of half the angle do for both: the quaternion takes half angles, and
-    // cos θ = 1 − 2 s², sin θ = 2 s c. What changes is added to what is there: of a small angle the
-    // rounded cosine is a bare one, and a turn by that and the sine stretches L a little each time,
-    // in float by a percent in an hour.
-    /// Turns the body by `angle` about its axis `i` = 0, 1 or 2. L, at rest in the world, turns the
-    /// other way in the body.
+    // The sine and cosine of half the angle serve both: the quaternion needs half angles, and
+    // cos θ = 1 − 2 s², sin θ = 2 s c. Only the change is added to L: the cosine of a small angle
+    // rounds to one, and a rotation with that cosine stretches L a little each time, in `float` by
+    // a percent per hour.
+    /// Rotates the body by `angle`, rad, about its axis `i` = 0, 1 or 2. L, constant in the world,
+    /// rotates the other way in the body.
     /// [spin]
     TIMESTEP_INLINE void spin(int i, Real angle) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;

@@ -11,17 +11,17 @@
 
 namespace timestep {
 
-/// A body's energy as that of a ball and a remainder about two axes a and b,
+/// A body's energy as the sum of a ball's energy and a remainder about two axes a and b,
 ///     ½ L·I⁻¹L = ½ |L|²/I_r + ½ A L_a² + ½ B L_b²,  A = 1/I_a − 1/I_r,  B = 1/I_b − 1/I_r.
 ///
-/// Made once a body. The reference r is the axis of the intermediate moment: it makes the product A
-/// B least, to which a splitting's error is proportional. Of two equal moments one is always the
-/// middle one; then A or B is zero, and the splitting is exact.
+/// Computed once per body. The reference r is the axis of the intermediate moment: it minimises the
+/// product A B, to which a splitting's error is proportional. If two moments are equal, A or B is
+/// zero and the splitting is exact.
 template <class Real>
 struct RemainderInertia {
     using Scalar = Real;  ///< the real number type
     int a;                ///< one of the other two axes, 0, 1 or 2
-    int b;                ///< and the other
+    int b;                ///< the other, 0, 1 or 2
     Real A;               ///< the remainder about a
     Real B;               ///< the remainder about b
     Real ball;            ///< 1/I_r
@@ -29,7 +29,7 @@ struct RemainderInertia {
 
     // r, a, b are a cyclic order. With the product one and ratio_b = (I_a − I_r)/I_b, A is
     // −ratio_b U_b², so that a small difference of two moments has lost no digit.
-    /// Of any three moments.
+    /// The remainder of any three moments.
     explicit RemainderInertia(const PrincipalInertia<Real>& inertia) : unit(inertia.unit) {
         int r = 0;
         for (int i = 1; i < 3; ++i) {
@@ -41,10 +41,10 @@ struct RemainderInertia {
         B = inertia.ratio[a] * unit[a] * unit[a];
         ball = 1 / unit[r];
     }
-    /// Of two equal moments and another one: A or B is zero.
+    /// The remainder of two equal moments and another one: A or B is zero.
     explicit RemainderInertia(const SymmetricInertia<Real>& I)
         : RemainderInertia(PrincipalInertia<Real>(I.across, I.across, I.along)) {}
-    /// The same with another odd axis.
+    /// The remainder of a symmetric body about x or y.
     template <Axis axis>
     explicit RemainderInertia(const SymmetricAbout<axis, Real>& I)
         : RemainderInertia(
@@ -53,9 +53,9 @@ struct RemainderInertia {
 
 /// \cond
 namespace detail {
-// The three motions whose energies make up the whole. That of the ball is a steady turn about L at
-// rest in the world, and neither of the others minds when it happens: it is taken once, for the
-// whole step. That of a is a turn about the axis a by the angle h A L_a.
+// The three motions whose energies make up the whole. The ball's is a steady rotation about L,
+// which is constant in the world. It commutes with the other two, so it is taken once, for the
+// whole step. The motion of a is a rotation about the axis a by the angle h A L_a.
 template <class Real>
 struct RemainderStep {
     const RemainderInertia<Real>& inertia;
@@ -83,14 +83,14 @@ struct RemainderStep {
 /// \endcond
 
 /// A splitting into a spherical top (a ball) and a remainder: half a step of a, one of b, half a
-/// step of a. Order two, its error mostly smaller than that of Strang's splitting by how far the
-/// body is from a symmetric one; exact for two equal moments. |L| stays for every step, and the
-/// energy within what |L| allows; a step of −h undoes a step of h.
+/// step of a. Order two; exact for two equal moments, and the closer a body is to a symmetric one,
+/// the smaller the error beside Strang's splitting. |L| stays for any step, and with it the energy
+/// stays bounded. A step of −h undoes a step of h.
 ///
-/// Its error goes with (hλ)², λ² = −A B |L|², and for throws near the intermediate axis grows like
-/// exp(λt): λ is the rate at which a turn about that axis is left. A ruler's is nearly |ω|; take
-/// BallAndRemainder4 for it. Beyond h|ω| of about 1e19 in `float`, 1e154 in `double`, both give
-/// NaN.
+/// The error is proportional to (hλ)², λ² = −A B |L|², and for throws near the intermediate axis
+/// grows like exp(λt): λ is the rate at which a spin about that axis departs from it. A ruler's λ
+/// is nearly |ω|; use BallAndRemainder4 for it. Beyond h|ω| of about 1e19 in `float`, 1e154 in
+/// `double`, both return NaN.
 struct BallAndRemainder2 {
     static constexpr const char* name = "ball and remainder 2";  ///< for tables and keys
     static constexpr int order = 2;                              ///< of the error after a whole run
@@ -107,7 +107,7 @@ struct BallAndRemainder2 {
         return part.end(s1.t);
     }
     /// [two]
-    /// The same for who has not made the remainder beforehand.
+    /// One step of `h` seconds that computes the remainder first.
     template <class Inertia, class Real>
     SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s1, Real h) const {
         static_assert(detail::one_real<Inertia, Real>,
@@ -117,9 +117,9 @@ struct BallAndRemainder2 {
     }
 };
 
-/// The same three motions in parts whose errors of order two and three cancel: six of b between
-/// seven of a (Blanes and Moan 2002, their S6). Order four, and keeps what BallAndRemainder2
-/// keeps.
+/// The three motions of BallAndRemainder2 in parts whose errors of order two and three cancel: six
+/// of b between seven of a (Blanes and Moan 2002, their S6). Order four; |L| stays for any step,
+/// and a step of −h undoes a step of h.
 struct BallAndRemainder4 {
     static constexpr const char* name = "ball and remainder 4";  ///< for tables and keys
     static constexpr int order = 4;                              ///< of the error after a whole run
@@ -140,7 +140,7 @@ struct BallAndRemainder4 {
         return part.end(s1.t);
     }
     /// [four]
-    /// The same for who has not made the remainder beforehand.
+    /// One step of `h` seconds that computes the remainder first.
     template <class Inertia, class Real>
     SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s1, Real h) const {
         static_assert(detail::one_real<Inertia, Real>,

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A body that turns: its state, and one step of it with any way to treat the gyroscopic torque.
+/// A rotating body: its state, and one step of it with any treatment of the gyroscopic torque.
 
 #include <type_traits>
 
@@ -16,9 +16,9 @@ inline constexpr bool one_real = std::is_same_v<typename Inertia::Scalar, Real>;
 }
 /// \endcond
 
-/// The state of a body that turns about its centre of mass, with ω in WORLD coordinates. SpinState
-/// has it in the body's; they are two types, and neither is taken for the other: in_body() and
-/// in_world() lead across.
+/// The state of a body that rotates about its centre of mass, with ω in WORLD coordinates.
+/// SpinState holds ω in body coordinates. They are two types, so the compiler tells them apart;
+/// in_body() and in_world() convert.
 template <class Real>
 struct RigidState {
     using Scalar = Real;  ///< the real number type
@@ -28,9 +28,9 @@ struct RigidState {
     Vector3<Real> omega;  ///< angular velocity in world coordinates, rad/s
 };
 
-/// Is every part of the state a finite number, and the quaternion a rotation: not zero?
+/// Whether every part of the state is a finite number and the quaternion is not zero.
 template <class Real>
-bool is_finite(const RigidState<Real>& s) {
+[[nodiscard]] bool is_finite(const RigidState<Real>& s) {
     const auto& q = s.q;
     return std::isfinite(s.t) && is_finite(q.coeffs()) && is_finite(s.omega) &&
            (q.w() != 0 || q.x() != 0 || q.y() != 0 || q.z() != 0);
@@ -49,10 +49,10 @@ Real kinetic_energy(const Inertia& inertia, const RigidState<Real>& s) {
     return kinetic_energy(inertia, Vector3<Real>(s.q.conjugate() * s.omega));
 }
 
-/// What the gyroscopic torque adds to the angular velocity in `h` seconds, world coordinates in and
-/// out, with the orientation as the rotation matrix `R` that engines keep beside the quaternion.
-/// `Gyroscopic` solves in body coordinates, where the inertia does not change (N47). For a body
-/// without a gyroscopic torque nothing is computed (N41).
+/// The change of the angular velocity, rad/s, by the gyroscopic torque in `h` seconds. ω and its
+/// change are in world coordinates; `R` is the orientation as a rotation matrix, which engines keep
+/// beside the quaternion. `Gyroscopic` solves in body coordinates, where the inertia is constant
+/// (N47). For a body without a gyroscopic torque nothing is computed (N41).
 /// [change]
 template <class Gyroscopic, class Inertia, class Real>
 TIMESTEP_INLINE Vector3<Real> gyroscopic_change(const Gyroscopic& solver, const Inertia& inertia,
@@ -71,9 +71,10 @@ TIMESTEP_INLINE Vector3<Real> gyroscopic_change(const Gyroscopic& solver, const 
 }
 /// [change]
 
-/// The angular velocity after that.
-// Rounded, R is no exact rotation. Only the change goes back through it: if the whole of ω did,
-// step after step, the energy would creep, in `float` by several percent an hour.
+/// The angular velocity, rad/s in world coordinates, after `h` seconds of the gyroscopic torque;
+/// `R` is the orientation as a rotation matrix.
+// The rounded R is not an exact rotation. Only the change is rotated back: if all of ω were, step
+// after step, the energy would creep, in `float` by several percent per hour.
 /// [gyroscopic]
 template <class Gyroscopic, class Inertia, class Real>
 TIMESTEP_INLINE Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver,
@@ -87,7 +88,8 @@ TIMESTEP_INLINE Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver,
 }
 /// [gyroscopic]
 
-/// The same with the orientation as a quaternion.
+/// The angular velocity, rad/s in world coordinates, after `h` seconds of the gyroscopic torque;
+/// `q` is the orientation.
 template <class Gyroscopic, class Inertia, class Real>
 TIMESTEP_INLINE Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver,
                                                       const Inertia& inertia,
@@ -100,11 +102,11 @@ TIMESTEP_INLINE Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver,
                                        h);
 }
 
-/// One step of `h` seconds without a torque from outside.
+/// One step of `h` seconds of a body without an external torque.
 /// [free]
 template <class Gyroscopic, class Inertia, class Real>
-RigidState<Real> step_rotation(const Gyroscopic& solver, const Inertia& inertia,
-                               const RigidState<Real>& s1, Real h) {
+[[nodiscard]] RigidState<Real> step_rotation(const Gyroscopic& solver, const Inertia& inertia,
+                                             const RigidState<Real>& s1, Real h) {
     static_assert(
         detail::one_real<Inertia, Real>,
         "timestep: the inertia and the state hold one kind of number: both float, or both double");
@@ -113,15 +115,15 @@ RigidState<Real> step_rotation(const Gyroscopic& solver, const Inertia& inertia,
 }
 /// [free]
 
-// Torques add, so each may be treated in its own way (N46): ω changes by I⁻¹T h for the torque from
-// outside, explicitly, and then by the gyroscopic torque, as the solver does it. One after the
-// other instead of both at once costs an error of order h² in a step, which a method of order one
-// makes anyway.
-/// One step of `h` seconds under a torque in world coordinates, N m.
+// Torques add, so each may be treated in its own way (N46): ω changes by I⁻¹T h for the external
+// torque, explicitly, and then by the gyroscopic torque, as the solver treats it. Treating them one
+// after the other costs an error of order h² per step, which a method of order one makes anyway.
+/// One step of `h` seconds of a body under an external `torque`, N m in world coordinates.
 /// [driven]
 template <class Gyroscopic, class Inertia, class Real>
-RigidState<Real> step_rotation(const Gyroscopic& solver, const Inertia& inertia,
-                               const RigidState<Real>& s1, const Vector3<Real>& torque, Real h) {
+[[nodiscard]] RigidState<Real> step_rotation(const Gyroscopic& solver, const Inertia& inertia,
+                                             const RigidState<Real>& s1,
+                                             const Vector3<Real>& torque, Real h) {
     static_assert(
         detail::one_real<Inertia, Real>,
         "timestep: the inertia and the state hold one kind of number: both float, or both double");
@@ -132,13 +134,12 @@ RigidState<Real> step_rotation(const Gyroscopic& solver, const Inertia& inertia,
 }
 /// [driven]
 
-/// World axes about which a body may not turn, as in games in which a character must not topple:
-/// a mask beside the inertia, applied after the step. (An infinite moment instead would put
-/// ∞ − ∞ into every solver.)
+/// World axes about which a body may not rotate, for characters that must not topple: a mask that
+/// is applied after the step. (An infinite moment instead would put ∞ − ∞ into every solver.)
 template <class Real>
 struct LockedAxes {
-    Vector3<Real> free = Vector3<Real>::Ones();  ///< 1 where the body may turn, 0 where not
-    /// What is left of `omega`.
+    Vector3<Real> free = Vector3<Real>::Ones();  ///< 1 where the body may rotate, 0 where not
+    /// `omega` without its locked components.
     Vector3<Real> operator()(const Vector3<Real>& omega) const { return free.cwiseProduct(omega); }
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// What acts on a body: a step of it is put together by the compiler from the terms that a scene
-/// names.
+/// The terms that act on a body. The compiler composes a step from those that a scene names.
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +15,7 @@
 
 namespace timestep {
 
-/// A body that flies and turns.
+/// The state of a body that moves and rotates.
 template <class Real>
 struct BodyState {
     RigidState<Real> turning;  ///< time, orientation, angular velocity
@@ -24,11 +23,10 @@ struct BodyState {
     Vector3<Real> v;           ///< its velocity, m/s
 };
 
-/// The body, as it came, if a scene can step it: where it has a mass and a radius, they are above
-/// zero, and 1/m and r²/I, by which the ground divides, neither overflow nor vanish. Throws
-/// `std::invalid_argument`. A step itself looks at nothing: whoever steps a body without `Bodies`
-/// asks here once.
-/// [checked]
+/// Returns the body if a scene can step it: mass and radius, if it has them, are above zero, and
+/// 1/m and r²/I, by which the ground divides, neither overflow nor vanish. Throws
+/// `std::invalid_argument` otherwise. Steps check nothing: if you step a body without `Bodies`,
+/// call this once. [checked]
 template <class Body>
 const Body& checked(const Body& body) {
     const auto usable = [](const char* name, auto value, auto term) {
@@ -43,8 +41,8 @@ const Body& checked(const Body& body) {
 }
 /// [checked]
 
-/// The motion, as it came, if all of it is finite and its speeds have squares. Throws
-/// `std::invalid_argument`.
+/// Returns the state if all of it is finite and the squares of its speeds are too. Throws
+/// `std::invalid_argument` otherwise.
 template <class Real>
 const BodyState<Real>& checked(const BodyState<Real>& m) {
     if (!is_finite(m.turning) || !is_finite(m.x) || !is_finite(m.v))
@@ -76,8 +74,8 @@ inline constexpr bool is_rolling = false;
 template <class Real>
 inline constexpr bool is_rolling<RollingResistance<Real>> = true;
 
-// Before which of these terms is the first `true`, and behind which the last? Where there is none:
-// behind all, and before all.
+// The place of the first `true`, or the number of terms; and the place behind the last `true`, or
+// 0.
 consteval auto first(std::initializer_list<bool> terms) {
     return std::find(terms.begin(), terms.end(), true) - terms.begin();
 }
@@ -93,10 +91,9 @@ consteval auto behind_last(std::initializer_list<bool> terms) {
 /// `BodyScene{Weight(9.81), Gyroscopic(passive_gyroscopic)}` is debris in the air,
 /// `BodyScene{Weight(9.81), Ground(0.5), RollingResistance(0.01)}` a ball on a lawn.
 ///
-/// A term changes the velocities in a motion. It may also read or write `load`, the impulse in N s
-/// with which the ground has carried the body in this step. A term that is not named does not
-/// exist, and neither do its instructions. What a body must have, its terms say: a scene without
-/// ground asks for no radius.
+/// A term changes the velocities of a state. It may also read or write `load`, the impulse, N s,
+/// with which the ground has carried the body in this step. Terms that are not named cost no
+/// instruction. A body needs only what its terms use: a scene without ground needs no radius.
 template <class... Terms>
 class BodyScene {
     static_assert((std::is_same_v<Terms, std::decay_t<Terms>> && ...),
@@ -110,14 +107,13 @@ class BodyScene {
                   "timestep: in a BodyScene Ground comes after Weight, which it has to carry");
 
 public:
-    /// Copies the terms, which have checked their parameters themselves.
+    /// Copies the terms, which have checked their parameters.
     explicit BodyScene(const Terms&... terms) : terms_(terms...) {}
 
-    // In place: a motion is fourteen numbers, and a scene that changes only a few of them shall not
+    // In place: a state is fourteen numbers, and a scene that changes only a few of them does not
     // copy the others.
-    /// Takes one step of `h` seconds, as semi-implicit Euler takes it: every term changes the
-    /// velocities, and the new velocities move the body (N46).
-    /// [step]
+    /// One step of `h` seconds of semi-implicit Euler: every term changes the velocities, and the
+    /// new velocities move the body (N46). [step]
     template <class Body, class Real>
     TIMESTEP_INLINE void step(const Body& body, BodyState<Real>& m, Real h) const {
         Real load = 0;
@@ -138,7 +134,7 @@ template <class Real>
 struct Weight {
     Real gravity;  ///< m/s²
 
-    /// `gravity` in m/s². Throws `std::invalid_argument` where it is not finite.
+    /// `gravity` in m/s², finite. Throws `std::invalid_argument`.
     explicit Weight(Real gravity_) : gravity(finite("gravity", gravity_)) {}
 
     /// v changes by h g.
@@ -150,16 +146,16 @@ struct Weight {
     /// [weight]
 };
 
-/// The gyroscopic torque, as `Solver` treats it; of a body whose inertia has none nothing is
+/// The gyroscopic torque, as `Solver` treats it. For a body whose inertia has none, nothing is
 /// compiled.
 template <class Solver>
 struct Gyroscopic {
     Solver solver;  ///< such as passive_gyroscopic
 
-    /// Any solver of timestep/gyroscopic that changes ω alone.
+    /// Takes any solver of timestep/gyroscopic that changes ω alone.
     explicit Gyroscopic(const Solver& solver_) : solver(solver_) {}
 
-    /// ω as the solver leaves it. Needs `body.inertia`.
+    /// Changes ω as the solver does. Needs `body.inertia`.
     /// [gyroscopic]
     template <class Body, class Real>
     TIMESTEP_INLINE void operator()(const Body& body, BodyState<Real>& m, Real&, Real h) const {
@@ -170,11 +166,11 @@ struct Gyroscopic {
     /// [gyroscopic]
 };
 
-// One contact needs no rounds: the normal impulse leaves ω alone, as its arm has its direction, and
-// what friction changes is at right angles to it.
+// One contact needs no iteration: the normal impulse leaves ω alone, because its arm has its
+// direction, and friction changes only what is perpendicular to it.
 //
 // An impulse p along the ground changes the velocity of the contact by (1/m + r²/I) p.
-/// The ground z = 0 under a ball: it carries, and it rubs (Coulomb). It does not throw back.
+/// The ground z = 0 under a ball: a normal force and Coulomb friction, without bouncing.
 template <class Real>
 struct Ground {
     Real friction;  ///< Coulomb's coefficient
@@ -182,10 +178,9 @@ struct Ground {
     /// `friction` zero or more. Throws `std::invalid_argument`.
     explicit Ground(Real friction_) : friction(not_negative("friction", friction_)) {}
 
-    /// The gap must not close beyond zero: v_z ≥ −gap/h. Needs `body.mass`, `body.radius` and the
-    /// `body.inertia` of a ball. Where the square of the contact's velocity is too large for a
-    /// number, NaN.
-    /// [ground]
+    /// Keeps the gap from closing beyond zero: v_z ≥ −gap/h. Needs `body.mass`, `body.radius` and
+    /// the `body.inertia` of a ball. The velocities become NaN if the square of the contact's
+    /// velocity is too large for a number. [ground]
     template <class Body>
     TIMESTEP_INLINE void operator()(const Body& body, BodyState<Real>& m, Real& load,
                                     Real h) const {
@@ -210,16 +205,16 @@ struct Ground {
     /// [ground]
 };
 
-/// The ground gives way a little, and pushes in front of the centre: it slows the turning about the
-/// axes in the plane, and not the one about the normal. To be named after Ground.
+/// Rolling resistance: the ground gives way a little and pushes in front of the centre, which slows
+/// the spin about the axes in the plane, but not about the normal. Name it after Ground.
 template <class Real>
 struct RollingResistance {
-    Real coefficient;  ///< how far in front, in radii
+    Real coefficient;  ///< distance in front of the centre, in radii
 
     /// `coefficient` zero or more. Throws `std::invalid_argument`.
     explicit RollingResistance(Real c) : coefficient(not_negative("rolling resistance", c)) {}
 
-    /// At most as much as stops the turning. Where ω² is too large for a number, NaN.
+    /// Slows the spin, at most to a stop. ω becomes NaN if its square is too large for a number.
     /// [rolling]
     template <class Body>
     TIMESTEP_INLINE void operator()(const Body& body, BodyState<Real>& m, Real& load, Real) const {

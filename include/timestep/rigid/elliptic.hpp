@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Jacobi's elliptic functions and Carlson's elliptic integrals: the sines and arcs of a body that
-/// tumbles.
+/// Jacobi's elliptic functions and Carlson's elliptic integrals, from which the motion of a
+/// tumbling body is built.
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,11 @@
 
 namespace timestep {
 
-/// Jacobi's elliptic functions at one place.
+/// The values of Jacobi's elliptic functions.
 template <class Real>
 struct Elliptic {
-    Real sn;  ///< a sine that lingers at its ends; ±tanh u in the limit m₁ → 0
-    Real cn;  ///< the cosine that goes with it; sech u in the limit
+    Real sn;  ///< a sine with flat extremes; tanh u in the limit m₁ → 0
+    Real cn;  ///< the matching cosine; sech u in the limit
     Real dn;  ///< √(1 − m sn²), between √m₁ and 1; sech u in the limit
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The exact motion of a body that nothing acts on: what every solver is measured against.
+/// The exact motion of a free body, the reference for every solver.
 
 #include <algorithm>
 #include <tuple>
@@ -15,8 +15,8 @@ namespace timestep {
 ///
 /// Energy and angular momentum confine ω to a closed curve round the axis of the largest or of the
 /// smallest moment, and along it the components go as cn, sn and dn. Between the two families of
-/// curves lies the separatrix, where a body turns over once in all eternity. Right in its
-/// neighbourhood any motion is sensitive: a start that differs by a digit flips at another time.
+/// curves lies the separatrix, on which a body turns over only once. Close to it the motion is
+/// sensitive: a start that differs in the last digit flips at another time.
 ///
 /// The angle about L is a sum of large terms that cancel where the moments differ much: for each
 /// radian of spin it is off by up to some 60 ε times the ratio of the largest moment to the
@@ -24,13 +24,13 @@ namespace timestep {
 template <class Real>
 class ExactFreeBody {
 public:
-    /// The motion of a body from `start` on.
+    /// Prepares the motion of a body from `start` on.
     ExactFreeBody(const PrincipalInertia<Real>& inertia, const RigidState<Real>& start);
 
     /// The state `t` seconds after the start.
     RigidState<Real> operator()(Real t) const;
-    /// ω̇ in body coordinates at that time, rad/s²: the derivative of the formulas, which knows
-    /// nothing of Euler's equations.
+    /// ω̇ in body coordinates `t` seconds after the start, rad/s²: the derivative of the formulas,
+    /// independent of Euler's equations.
     Vector3<Real> acceleration(Real t) const;
 
 private:

@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// A body that nothing acts on, as a first-order system: for methods that know nothing of
-/// rotations.
+/// A free body as a first-order system, for methods that know nothing of rotations.
 
 #include <timestep/rigid/body.hpp>
 #include <timestep/state.hpp>
@@ -9,11 +8,11 @@
 
 namespace timestep {
 
-/// Orientation and angular velocity in one array y = (q, ω): seven numbers, the quaternion as Eigen
-/// keeps it, x, y, z, w, and ω in body coordinates, where the inertia does not change.
+/// Orientation and angular velocity in one array y = (q, ω): seven numbers, the quaternion in
+/// Eigen's order x, y, z, w, and ω in body coordinates, where the inertia is constant.
 ///
-/// For such a method q is four numbers like any others, and their length is off 1 by its error. Who
-/// wants a rotation scales it back: `orientation_scaled` after each step.
+/// For such a method q is four numbers like any others, so its length differs from 1 by the
+/// method's error. Call `orientation_scaled` after each step to get a rotation.
 template <class Inertia>
 struct FreeBody {
     using Real = typename Inertia::Scalar;  ///< the real number type
@@ -23,8 +22,8 @@ struct FreeBody {
     /// Copies the inertia.
     explicit FreeBody(const Inertia& inertia_) : inertia(inertia_) {}
 
-    /// ẏ: of the orientation q̇ = ½ q ω, where ω stands for the quaternion (0, ω) (N42), and of the
-    /// angular velocity Euler's equation ω̇ = −I⁻¹(ω × Iω) (N40).
+    /// ẏ = (q̇, ω̇): q̇ = ½ q ω, where ω stands for the quaternion (0, ω) (N42), and Euler's equation
+    /// ω̇ = −I⁻¹(ω × Iω) (N40).
     /// [rate]
     TIMESTEP_INLINE Y operator()(Real, const Y& y) const {
         const Quaternion<Real> q(y[3], y[0], y[1], y[2]);
@@ -46,7 +45,7 @@ FirstOrder<Eigen::Matrix<Real, 7, 1>> stacked(const RigidState<Real>& s) {
     return {s.t, y};
 }
 
-/// The body's state in an array (q, ω).
+/// The state that an array (q, ω) holds.
 template <class Real>
 RigidState<Real> unstacked(const FirstOrder<Eigen::Matrix<Real, 7, 1>>& s) {
     const Quaternion<Real> q(Eigen::Matrix<Real, 4, 1>(s.y.template head<4>()));
@@ -54,7 +53,7 @@ RigidState<Real> unstacked(const FirstOrder<Eigen::Matrix<Real, 7, 1>>& s) {
     return {s.t, q, q * omega};
 }
 
-/// The same array with its quaternion scaled back to length one.
+/// An array (q, ω) with its quaternion scaled back to length one.
 template <class Real>
 FirstOrder<Eigen::Matrix<Real, 7, 1>> orientation_scaled(
     const FirstOrder<Eigen::Matrix<Real, 7, 1>>& s) {

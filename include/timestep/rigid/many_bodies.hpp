@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Many bodies that turn, sorted by what their inertia needs, in packs.
+/// Many rotating bodies, sorted by kind of inertia, in packs.
 
 #include <cmath>
 #include <cstddef>
@@ -14,28 +14,33 @@ namespace timestep {
 
 /// \cond
 namespace detail {
-// Puts one body's numbers into lane `i` of a pack's.
+// Puts one body's numbers into the lanes from `first` on of a pack.
+template <class L, class Real>
+void set_lanes(L& pack, int first, const Real& one) {
+    for (int i = first; i < L::lanes; ++i) pack.set(i, one);
+}
 template <class L, class Real, int Size>
-void set_lane(Eigen::Matrix<L, Size, 1>& pack, int i, const Eigen::Matrix<Real, Size, 1>& one) {
-    for (int k = 0; k < Size; ++k) pack[k].set(i, one[k]);
+void set_lanes(Eigen::Matrix<L, Size, 1>& pack, int first,
+               const Eigen::Matrix<Real, Size, 1>& one) {
+    for (int k = 0; k < Size; ++k) set_lanes(pack[k], first, one[k]);
 }
 template <class L, class Real>
-void set_lane(UniformInertia<L>& pack, int i, const UniformInertia<Real>& one) {
-    pack.moment.set(i, one.moment);
+void set_lanes(UniformInertia<L>& pack, int first, const UniformInertia<Real>& one) {
+    set_lanes(pack.moment, first, one.moment);
 }
 template <class L, class Real>
-void set_lane(SymmetricInertia<L>& pack, int i, const SymmetricInertia<Real>& one) {
-    pack.across.set(i, one.across);
-    pack.along.set(i, one.along);
-    pack.precession_ratio.set(i, one.precession_ratio);
+void set_lanes(SymmetricInertia<L>& pack, int first, const SymmetricInertia<Real>& one) {
+    L across = pack.across, along = pack.along;
+    set_lanes(across, first, one.across), set_lanes(along, first, one.along);
+    pack = SymmetricInertia<L>(across, along);
 }
 template <class L, class Real>
-void set_lane(PrincipalInertia<L>& pack, int i, const PrincipalInertia<Real>& one) {
-    set_lane(pack.moments, i, one.moments);
-    set_lane(pack.unit, i, one.unit);
-    set_lane(pack.ratio, i, one.ratio);
+void set_lanes(PrincipalInertia<L>& pack, int first, const PrincipalInertia<Real>& one) {
+    Vector3<L> moments = pack.moments;
+    set_lanes(moments, first, one.moments);
+    pack = PrincipalInertia<L>(moments.x(), moments.y(), moments.z());
 }
-// The same inertia in every lane.
+// One inertia in every lane.
 template <class L, class Real>
 UniformInertia<L> in_every_lane(const UniformInertia<Real>& one) {
     return UniformInertia<L>(one.moment);
@@ -51,8 +56,8 @@ PrincipalInertia<L> in_every_lane(const PrincipalInertia<Real>& one) {
 }  // namespace detail
 /// \endcond
 
-/// As many bodies of one kind as the processor adds numbers at once: orientations and angular
-/// velocities in world coordinates, as in RigidState, with a pack for every number.
+/// One body of one kind per lane: orientations and angular velocities in world coordinates, as in
+/// RigidState, with a pack for every number.
 template <class Inertia>
 struct BodyPack {
     using Pack = typename Inertia::Scalar;  ///< the pack
@@ -61,7 +66,7 @@ struct BodyPack {
     Quaternion<Pack> q;   ///< orientation
     Vector3<Pack> omega;  ///< angular velocity in world coordinates, rad/s
 
-    /// One step of `h` seconds, of all of them: step_rotation(), that steps one.
+    /// One step of `h` seconds of all bodies in the pack, as step_rotation() steps one.
     /// [step]
     template <class Gyroscopic>
     TIMESTEP_INLINE void step(const Gyroscopic& solver, Pack h) {
@@ -74,17 +79,16 @@ struct BodyPack {
 /// Bodies of several kinds, all at the same time `t`:
 /// `ManyBodies<float, UniformInertia, PrincipalInertia> all;`
 ///
-/// A pack holds one kind only, so a ball stands in no pack that computes a gyroscopic torque. All
-/// of a pack's numbers lie side by side: a step needs them all, and fetches one stretch of memory
-/// instead of a dozen. As in Springs, the last pack of a kind is filled up with copies of its last
-/// body.
+/// A pack holds one kind only, so no gyroscopic torque is computed for a ball. All numbers of a
+/// pack lie side by side, so a step reads one stretch of memory instead of a dozen. As in Springs,
+/// the last pack of a kind is filled up with copies of its last body.
 template <class Real, template <class> class... Kinds>
 class ManyBodies {
 public:
-    using Pack = Lanes<Real>;  ///< so many are stepped at once
+    using Pack = Lanes<Real>;  ///< bodies stepped at once
 
-    /// Adds a body to the others of its kind, its orientation scaled to length one. Throws
-    /// `std::invalid_argument` where its state is not finite, or |ω|² is not.
+    /// Adds a body to the others of its kind, with its orientation scaled to length one; `omega` in
+    /// world coordinates, rad/s. Throws `std::invalid_argument` if its state or |ω|² is not finite.
     template <template <class> class Kind>
     void add(const Kind<Real>& inertia, const Quaternion<Real>& q, const Vector3<Real>& omega) {
         if (!is_finite(RigidState<Real>{Real(t), q, omega}))
@@ -97,20 +101,18 @@ public:
         if (lane == 0)
             packs.push_back({detail::in_every_lane<Pack>(inertia), Quaternion<Pack>::Identity(),
                              Vector3<Pack>::Zero()});
-        for (int i = lane; i < Pack::lanes; ++i) {
-            detail::set_lane(packs.back().inertia, i, inertia);
-            detail::set_lane(packs.back().q.coeffs(), i, orientation.coeffs());
-            detail::set_lane(packs.back().omega, i, omega);
-        }
+        detail::set_lanes(packs.back().inertia, lane, inertia);
+        detail::set_lanes(packs.back().q.coeffs(), lane, orientation.coeffs());
+        detail::set_lanes(packs.back().omega, lane, omega);
         ++size;
     }
 
-    /// How many there are of a kind.
+    /// The number of bodies of a kind.
     template <template <class> class Kind>
     std::size_t size() const {
         return group<Kind>().size;
     }
-    /// The packs of a kind, to step them by hand.
+    /// The packs of a kind, to step them yourself.
     template <template <class> class Kind>
     std::vector<BodyPack<Kind<Pack>>>& packs() {
         return group<Kind>().packs;
@@ -126,7 +128,7 @@ public:
                 {pack.omega.x()[lane], pack.omega.y()[lane], pack.omega.z()[lane]}};
     }
 
-    /// One step of `h` seconds without torques from outside, kind after kind.
+    /// One step of `h` seconds without external torques, kind after kind.
     /// [step all]
     template <class Gyroscopic>
     void step(const Gyroscopic& solver, Real h) {
@@ -138,7 +140,7 @@ public:
     }
     /// [step all]
 
-    double t = 0;  ///< time, s; such a sum in `float` would be off by seconds an hour
+    double t = 0;  ///< time, s; a sum in `float` would be off by seconds per hour
 
 private:
     /// \cond

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// An angular velocity that knows its axes: for engines, which have both and mix them up.
+/// Angular velocities with their axes in the type, for engines, which use both.
 
 #include <utility>
 
@@ -8,34 +8,34 @@
 
 namespace timestep {
 
-/// ω in the body's axes, rad/s. The chapters write a bare vector, and say where it is; this is the
-/// same three numbers, and becomes a bare vector by its name only.
+/// ω in the body's axes, rad/s. The chapters use a bare vector and name its axes in words; this
+/// type holds the three numbers and converts to a bare vector only by its member.
 template <class Real>
 struct OmegaBody {
     Vector3<Real> in_the_body;  ///< the numbers
-    /// So that nothing is one by chance.
+    /// Explicit: a bare vector does not convert by chance.
     explicit OmegaBody(Vector3<Real> numbers) : in_the_body(std::move(numbers)) {}
 };
 /// ω in the world's axes, rad/s, as engines keep it.
 template <class Real>
 struct OmegaWorld {
     Vector3<Real> in_the_world;  ///< the numbers
-    /// So that nothing is one by chance.
+    /// Explicit: a bare vector does not convert by chance.
     explicit OmegaWorld(Vector3<Real> numbers) : in_the_world(std::move(numbers)) {}
 };
 
-/// The same ω in the body's axes; only the orientation leads across.
+/// ω in the body's axes, for a body of orientation `q`.
 template <class Real>
 TIMESTEP_INLINE OmegaBody<Real> in_body(const Quaternion<Real>& q, const OmegaWorld<Real>& omega) {
     return OmegaBody<Real>(in_body(Matrix3<Real>(q.toRotationMatrix()), omega.in_the_world));
 }
-/// And back.
+/// ω in the world's axes, for a body of orientation `q`.
 template <class Real>
 TIMESTEP_INLINE OmegaWorld<Real> in_world(const Quaternion<Real>& q, const OmegaBody<Real>& omega) {
     return OmegaWorld<Real>(in_world(Matrix3<Real>(q.toRotationMatrix()), omega.in_the_body));
 }
 
-/// ω after `h` seconds of the gyroscopic torque, by `solver`: what solver.step() gives.
+/// ω after `h` seconds of the gyroscopic torque, as `solver` treats it.
 template <class Gyroscopic, class Inertia, class Real>
 TIMESTEP_INLINE OmegaBody<Real> after_gyroscopic_torque(const Gyroscopic& solver,
                                                         const Inertia& inertia,
@@ -45,7 +45,7 @@ TIMESTEP_INLINE OmegaBody<Real> after_gyroscopic_torque(const Gyroscopic& solver
     else
         return OmegaBody<Real>(solver.step(inertia, omega.in_the_body, h));
 }
-/// The same of one in the world, for which it takes the orientation.
+/// ω in the world after `h` seconds of the gyroscopic torque, for a body of orientation `q`.
 template <class Gyroscopic, class Inertia, class Real>
 TIMESTEP_INLINE OmegaWorld<Real> after_gyroscopic_torque(const Gyroscopic& solver,
                                                          const Inertia& inertia,
@@ -54,12 +54,12 @@ TIMESTEP_INLINE OmegaWorld<Real> after_gyroscopic_torque(const Gyroscopic& solve
     return OmegaWorld<Real>(after_gyroscopic_torque(solver, inertia, q, omega.in_the_world, h));
 }
 
-/// The kinetic energy, J.
+/// The kinetic energy of the rotation, J.
 template <class Inertia, class Real>
 Real kinetic_energy(const Inertia& inertia, const OmegaBody<Real>& omega) {
     return kinetic_energy(inertia, omega.in_the_body);
 }
-/// The same of one in the world.
+/// The kinetic energy of the rotation, J, for a body of orientation `q`.
 template <class Inertia, class Real>
 Real kinetic_energy(const Inertia& inertia, const Quaternion<Real>& q,
                     const OmegaWorld<Real>& omega) {
@@ -67,7 +67,7 @@ Real kinetic_energy(const Inertia& inertia, const Quaternion<Real>& q,
 }
 
 /// \cond
-// Mixed up, each is refused by a line that says so.
+// A mix-up of the two does not compile, and the message says why.
 namespace detail {
 template <class>
 inline constexpr bool mixed_up = true;

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// A capsule on a plane: gravity, two contacts, friction and rolling resistance around any way to
-/// treat the gyroscopic torque. `step` is a whole physics engine for one body.
+/// A capsule on a plane: gravity, two contacts, friction and rolling resistance, with any treatment
+/// of the gyroscopic torque. `step` is a whole physics engine for one body.
 
 #include <algorithm>
 #include <cmath>
@@ -22,19 +22,19 @@ using Turning = RigidState<double>;             ///< time, orientation and angul
 using BodyState = timestep::BodyState<double>;  ///< and the centre of mass with its velocity
 using Flat = Eigen::Vector2d;                   ///< the part of a vector along the plane
 
-/// Where a contact takes its lever arm from: the orientation at the start of the step, as engines
-/// do, or the middle between that and the one at its end.
+/// The orientation that gives a contact its lever arm: that at the start of the step, as in
+/// engines, or the mean of those at the start and at the end.
 enum class Arms {
-    start,  ///< as it was
-    middle  ///< as it is on average
+    start,  ///< the arm at the start of the step
+    middle  ///< the mean arm of the step
 };
 
 /// The plane z = 0.
 struct Ground {
     double gravity = 9.81;     ///< m/s², downwards
     double friction = 0.5;     ///< Coulomb's coefficient
-    double rolling = 0.1;      ///< of rolling resistance, in radii; 0 switches it off
-    Arms arms = Arms::middle;  ///< of the contacts
+    double rolling = 0.1;      ///< coefficient of rolling resistance, in radii; 0: none
+    Arms arms = Arms::middle;  ///< lever arms of the contacts
 };
 
 /// A capsule along the body's z axis; with `half_length` = 0 a ball.
@@ -45,51 +45,52 @@ struct Capsule {
     double radius;       ///< m
     double half_length;  ///< m, from the centre to the centres of the half balls
 
-    /// How many half balls may touch the plane.
+    /// The number of half balls that may touch the plane: 2, or 1 of a ball.
     int ends() const { return half_length > 0 ? 2 : 1; }
-    /// From the centre of mass to the centre of the half ball `i`.
+    /// The vector from the centre of mass to the centre of half ball `i`, m, world coordinates.
     V end(const Orientation& q, int i) const {
         return q * V(0, 0, i == 0 ? half_length : -half_length);
     }
 };
 
-/// What the plane did in a step to one end of the body.
+/// The effect of the plane on one end of the body in a step.
 struct Contact {
     V arm = V::Zero();             ///< from the centre of mass, m
     double gap = 0;                ///< between half ball and plane at the start of the step, m
     double normal = 0;             ///< impulse away from the plane, N s
-    Flat friction = Flat::Zero();  ///< and along it, N s
+    Flat friction = Flat::Zero();  ///< impulse along the plane, N s
     M response = M::Zero();        ///< change of velocity at the contact by a unit impulse, 1/kg
 };
-/// And to all of it.
+/// The effect of the plane on the whole body in a step.
 struct Contacts {
     Contact at[2];                ///< the ends
-    int count = 0;                ///< how many there are
+    int count = 0;                ///< the number of ends
     Flat rolling = Flat::Zero();  ///< angular impulse, N m s
     double sunk = 0;              ///< how far the body had to be lifted out of the plane, m
 };
 
-/// Kinetic and potential energy, J; none where a ball lies still.
+/// Kinetic and potential energy, J; zero for a ball at rest on the plane.
 template <class Inertia>
 double energy(const Capsule<Inertia>& body, const Ground& ground, const BodyState& m) {
     return kinetic_energy(body.inertia, m.turning) +
            body.mass * (m.v.squaredNorm() / 2 + ground.gravity * (m.x.z() - body.radius));
 }
 
-/// The body at rest but for its spin `omega`, put on the plane or `height` above it.
+/// The state of a body that spins with `omega`, rad/s, and is otherwise at rest, on the plane or
+/// `height` m above it.
 template <class Inertia>
 BodyState placed(const Capsule<Inertia>& body, const Orientation& q, const V& omega,
                  double height = 0) {
     return {{0, q, omega}, {0, 0, height + body.radius + std::fabs(body.end(q, 0).z())}, V::Zero()};
 }
 
-/// A way to treat the torque, cut in two: this share of the step before the contacts, the rest
-/// after them, just before the body turns. 1 is where engines put all of it, 0 all of it after, ½
-/// in halves.
+/// A treatment of the gyroscopic torque in two parts: a share of the step before the contacts, the
+/// rest after them, just before the body rotates. With 1 all of it comes before (as in engines),
+/// with 0 all of it after.
 template <class Gyroscopic>
 struct AroundContacts {
-    Gyroscopic rule;    ///< that changes ω
-    double before = 0;  ///< share of the step, from 0 to 1
+    Gyroscopic rule;    ///< the treatment, which changes ω
+    double before = 0;  ///< the share before the contacts, from 0 to 1
 };
 
 /// \cond
@@ -134,11 +135,11 @@ inline Flat within(double limit, const Flat& impulse) {
 }  // namespace detail
 /// \endcond
 
-/// The contacts' impulses, and what they make of the velocities.
+/// Finds the contacts' impulses and applies them to the velocities.
 ///
-/// Sequential impulses: each contact in turn is given the impulse that it would need if it were
-/// alone, and after some rounds all of them agree. Sums are clamped, not their increments: a
-/// contact may take back what an earlier round gave it.
+/// Sequential impulses: each contact in order gets the impulse that it would need if it were alone,
+/// and after some rounds all of them agree. Sums are clamped, not increments, so a contact may take
+/// back impulse from an earlier round.
 ///
 /// - normal: the gap must not close beyond zero: v_n ≥ −gap/h, impulse ≥ 0, and only one of them
 ///   other than zero. No bouncing.
@@ -193,7 +194,8 @@ inline void solve(Contacts& contacts, double mass, const M& inverse_inertia, con
 // no error either; with e it is another one, by about h²|ω × (ω × e)|/2, and who lifts the body out
 // of the plane by that works against gravity, step after step. e₂ needs the ω that the contacts
 // have yet to find: so they are solved a few times, each time from the start with the last ω.
-/// What the plane makes of the velocities `v` and `omega` that the body would have without it.
+/// Changes the velocities `v` and `omega`, which the body would have without the plane, to those
+/// with it.
 template <class Inertia>
 void touch(const Capsule<Inertia>& body, const Ground& ground, const BodyState& m1, double h,
            Contacts& contacts, V& v, V& omega) {
@@ -221,9 +223,8 @@ void touch(const Capsule<Inertia>& body, const Ground& ground, const BodyState& 
     }
 }
 
-/// One step of `h` seconds, of semi-implicit Euler: forces, contacts, positions (N46). Gravity and
-/// the impulses are explicit, the gyroscopic torque is what its solver makes of it. `contacts` is
-/// written only.
+/// One step of `h` seconds of semi-implicit Euler: forces, contacts, positions (N46). Gravity and
+/// the impulses are explicit; `solver` treats the gyroscopic torque. `contacts` is output only.
 template <class Gyroscopic, class Inertia>
 BodyState step(const Gyroscopic& solver, const Capsule<Inertia>& body, const Ground& ground,
                const BodyState& m1, double h, Contacts& contacts) {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Three dimensions: vectors, and the quaternion that says how a body is turned.
+/// Three dimensions: vectors, matrices, and quaternions for the orientation of a body.
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ using Matrix3 = Eigen::Matrix<Real, 3, 3>;  ///< three rows of three numbers
 template <class Real>
 using Quaternion = Eigen::Quaternion<Real>;  ///< a rotation from body to world coordinates
 
-/// The matrix that does what the cross product does: skew(a) b = a × b (N47).
+/// The matrix of a cross product: skew(a) b = a × b (N47).
 /// [skew]
 template <class Real>
 Matrix3<Real> skew(const Vector3<Real>& a) noexcept {
@@ -39,8 +39,9 @@ TIMESTEP_INLINE Matrix3<Real> skew_times(const Vector3<Real>& a, const Matrix3<R
     return product;
 }
 
-/// A vector in world coordinates whose body coordinates are `v`: R v, where `R` is the orientation
-/// as a matrix. Spelt out, as at -O2 a compiler may call Eigen's product for each of the three.
+/// The world coordinates of a vector whose body coordinates are `v`: R v, where `R` is the
+/// orientation as a matrix. Spelt out, because at -O2 a compiler may call Eigen's product three
+/// times.
 template <class Real>
 TIMESTEP_INLINE Vector3<Real> in_world(const Matrix3<Real>& R, const Vector3<Real>& v) noexcept {
     const Real x = v.x(), y = v.y(), z = v.z();
@@ -48,7 +49,7 @@ TIMESTEP_INLINE Vector3<Real> in_world(const Matrix3<Real>& R, const Vector3<Rea
             R(2, 0) * x + R(2, 1) * y + R(2, 2) * z};
 }
 
-/// A vector in body coordinates whose world coordinates are `v`: Rᵀ v.
+/// The body coordinates of a vector whose world coordinates are `v`: Rᵀ v.
 template <class Real>
 TIMESTEP_INLINE Vector3<Real> in_body(const Matrix3<Real>& R, const Vector3<Real>& v) noexcept {
     const Real x = v.x(), y = v.y(), z = v.z();
@@ -63,8 +64,8 @@ Real apart(const Quaternion<Real>& p, const Quaternion<Real>& q) {
     return 2 * std::min(Real(1), norm(quaternion_product(p.conjugate(), q).vec()));
 }
 
-/// A quaternion over its length. (Eigen's `normalized` asks first whether that is zero, a question
-/// that lanes do not answer; here the result is then not a number.)
+/// A quaternion over its length; NaN if that is zero. (Eigen's `normalized` branches on zero, which
+/// lanes cannot.)
 template <class Real>
 TIMESTEP_INLINE Quaternion<Real> over_its_length(const Quaternion<Real>& q) noexcept {
     using std::sqrt;
@@ -73,11 +74,10 @@ TIMESTEP_INLINE Quaternion<Real> over_its_length(const Quaternion<Real>& q) noex
 
 /// The orientation after `h` seconds at the angular velocity `omega`, in rad/s and world
 /// coordinates (N42): q̇ = ½ ω q, where ω stands for the quaternion (0, ω). One Euler step leaves
-/// the unit quaternions, so the result is scaled back to length one. A step turns the body by 2
-/// atan(h|ω|/2) instead of h|ω|, short of half a turn whatever the spin, as long as the square of
-/// h|ω|/2 is a number: to 3e19 in `float`, 1e154 in `double`. Beyond, the quaternion is zero, which
-/// `is_finite` of a state refuses.
-/// [orientation]
+/// the unit quaternions, so the result is scaled back to length one. A step rotates the body by 2
+/// atan(h|ω|/2) instead of h|ω|, which is less than half a turn for any spin, as long as the square
+/// of h|ω|/2 is a number: to 3e19 in `float`, 1e154 in `double`. Beyond, the quaternion is zero,
+/// and `is_finite` of a state is false. [orientation]
 template <class Real>
 Quaternion<Real> rotated(const Quaternion<Real>& q1, const Vector3<Real>& omega, Real h) noexcept {
     const Vector3<Real> half = h / 2 * omega;
@@ -86,12 +86,12 @@ Quaternion<Real> rotated(const Quaternion<Real>& q1, const Vector3<Real>& omega,
 }
 /// [orientation]
 
-// q̇ = ½ q ω with ω in the body. A constant ω turns the body about ω by h|ω|. The quaternion
-// 1 + h/2 ω, scaled to length one, turns it about the same axis by 2 atan(h|ω|/2), which is
+// q̇ = ½ q ω with ω in the body. A constant ω rotates the body about ω by h|ω|. The quaternion
+// 1 + h/2 ω, scaled to length one, rotates it about that axis by 2 atan(h|ω|/2), which is
 // (h|ω|)³/12 less: no sine, no cosine, and little enough for order two.
 /// The orientation after `h` seconds at the angular velocity `omega`, in rad/s and BODY
 /// coordinates: the other side of the product. With the mean of the old and the new ω it is of
-/// order two. The same bounds hold as for `rotated`.
+/// order two. The bounds of `rotated` hold.
 template <class Real>
 TIMESTEP_INLINE Quaternion<Real> rotated_in_body(const Quaternion<Real>& q1,
                                                  const Vector3<Real>& omega, Real h) noexcept {
@@ -102,8 +102,8 @@ TIMESTEP_INLINE Quaternion<Real> rotated_in_body(const Quaternion<Real>& q1,
 }
 /// [in_body]
 
-/// The quaternion of a turn by the angle |v| about v, rad: what a constant angular velocity does.
-/// [exponential]
+/// The quaternion of a rotation by |v| rad about v: the exact motion for a constant angular
+/// velocity. [exponential]
 template <class Real>
 TIMESTEP_INLINE Quaternion<Real> rotation_by(const Vector3<Real>& v) noexcept {
     const Real half = norm(v) / 2;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The inertia of solid shapes of even density, from mass and size.
+/// The inertia of solid shapes of uniform density, from mass and size.
 
 #include <timestep/rigid/inertia.hpp>
 
@@ -8,8 +8,7 @@ namespace timestep {
 
 /// \cond
 namespace detail {
-// The moments from sizes that have been asked for, for the shapes and for what is said of them
-// beforehand.
+// The moments from sizes that have been checked: for the shapes and for their valid_ functions.
 template <class Real>
 struct Symmetric {
     Real across, along;
@@ -54,16 +53,17 @@ constexpr bool is_body(const Symmetric<Real>& I) {
 }  // namespace detail
 /// \endcond
 
-/// A ball: ⅖ m r². `mass` in kg and `radius` in m above zero; throws `std::invalid_argument`, as
-/// all shapes do. Beside each stands one that says, without an exception, whether it would.
+/// A ball: ⅖ m r². `mass` in kg and `radius` in m, above zero. Throws `std::invalid_argument`, as
+/// all shapes do. For each shape there is a function that reports, without an exception, whether it
+/// would.
 template <class Real>
 constexpr UniformInertia<Real> sphere(Real mass, Real radius) {
     return UniformInertia(
         detail::sphere_moment(positive("mass", mass), positive("radius", radius)));
 }
-/// Would sphere() take them?
+/// Whether sphere() takes these sizes.
 template <class Real>
-constexpr bool valid_sphere(Real mass, Real radius) noexcept {
+[[nodiscard]] constexpr bool valid_sphere(Real mass, Real radius) noexcept {
     return detail::are_positive(mass, radius, radius) &&
            UniformInertia<Real>::valid(detail::sphere_moment(mass, radius));
 }
@@ -73,9 +73,9 @@ template <class Real>
 constexpr UniformInertia<Real> cube(Real mass, Real side) {
     return UniformInertia(detail::cube_moment(positive("mass", mass), positive("side", side)));
 }
-/// Would cube() take them?
+/// Whether cube() takes these sizes.
 template <class Real>
-constexpr bool valid_cube(Real mass, Real side) noexcept {
+[[nodiscard]] constexpr bool valid_cube(Real mass, Real side) noexcept {
     return detail::are_positive(mass, side, side) &&
            UniformInertia<Real>::valid(detail::cube_moment(mass, side));
 }
@@ -88,17 +88,17 @@ PrincipalInertia<Real> box(Real mass, Real a, Real b, Real c) {
     const Real share = mass / 12;
     return {share * (b * b + c * c), share * (c * c + a * a), share * (a * a + b * b)};
 }
-/// Would box() take them?
+/// Whether box() takes these sizes.
 template <class Real>
-bool valid_box(Real mass, Real a, Real b, Real c) noexcept {
+[[nodiscard]] bool valid_box(Real mass, Real a, Real b, Real c) noexcept {
     const Real share = mass / 12;
     return detail::is_positive(mass) && detail::are_positive(a, b, c) &&
            PrincipalInertia<Real>::valid(share * (b * b + c * c), share * (c * c + a * a),
                                          share * (a * a + b * b));
 }
 
-/// The same box by its half extents, as most engines keep them: from its centre to its faces along
-/// x, y and z.
+/// A box by its half extents, m, which most engines store: from its centre to its faces along x, y
+/// and z.
 template <class Real>
 PrincipalInertia<Real> box_of_half_extents(Real mass, Real hx, Real hy, Real hz) {
     positive("mass", mass);
@@ -113,9 +113,9 @@ constexpr SymmetricInertia<Real> cylinder(Real mass, Real radius, Real length) {
     const detail::Symmetric<Real> I = detail::cylinder_moments(mass, radius, length);
     return {I.across, I.along};
 }
-/// Would cylinder() take them?
+/// Whether cylinder() takes these sizes.
 template <class Real>
-constexpr bool valid_cylinder(Real mass, Real radius, Real length) noexcept {
+[[nodiscard]] constexpr bool valid_cylinder(Real mass, Real radius, Real length) noexcept {
     return detail::are_positive(mass, radius, length) &&
            detail::is_body(detail::cylinder_moments(mass, radius, length));
 }
@@ -129,9 +129,9 @@ constexpr SymmetricInertia<Real> capsule(Real mass, Real radius, Real length) {
     const detail::Symmetric<Real> I = detail::capsule_moments(mass, radius, length);
     return {I.across, I.along};
 }
-/// Would capsule() take them?
+/// Whether capsule() takes these sizes.
 template <class Real>
-constexpr bool valid_capsule(Real mass, Real radius, Real length) noexcept {
+[[nodiscard]] constexpr bool valid_capsule(Real mass, Real radius, Real length) noexcept {
     return detail::are_positive(mass, radius, length) &&
            detail::is_body(detail::capsule_moments(mass, radius, length));
 }
@@ -144,9 +144,9 @@ constexpr SymmetricInertia<Real> staff(Real mass, Real length, Real thickness) {
     const detail::Symmetric<Real> I = detail::staff_moments(mass, length, thickness);
     return {I.across, I.along};
 }
-/// Would staff() take them?
+/// Whether staff() takes these sizes.
 template <class Real>
-constexpr bool valid_staff(Real mass, Real length, Real thickness) noexcept {
+[[nodiscard]] constexpr bool valid_staff(Real mass, Real length, Real thickness) noexcept {
     return detail::are_positive(mass, length, thickness) &&
            detail::is_body(detail::staff_moments(mass, length, thickness));
 }
@@ -156,9 +156,9 @@ template <class Real>
 constexpr RodInertia<Real> rod(Real mass, Real length) {
     return RodInertia(detail::rod_moment(positive("mass", mass), positive("length", length)));
 }
-/// Would rod() take them?
+/// Whether rod() takes these sizes.
 template <class Real>
-constexpr bool valid_rod(Real mass, Real length) noexcept {
+[[nodiscard]] constexpr bool valid_rod(Real mass, Real length) noexcept {
     return detail::are_positive(mass, length, length) &&
            RodInertia<Real>::valid(detail::rod_moment(mass, length));
 }

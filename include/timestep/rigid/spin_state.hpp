@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A free body's natural state: its angular velocity in its own axes.
+/// The state of a free body with its angular velocity in its own axes.
 
 #include <cmath>
 
@@ -8,8 +8,9 @@
 
 namespace timestep {
 
-/// The state of a body that turns about its centre of mass, as whole-body methods keep it. In the
-/// body's axes the inertia is constant, so ω stays there: no step turns it into the world and back.
+/// The state of a body that rotates about its centre of mass, as whole-body methods keep it. In the
+/// body's axes the inertia is constant, so ω stays there: no step rotates it into the world and
+/// back.
 template <class Real>
 struct SpinState {
     using Scalar = Real;  ///< the real number type
@@ -19,21 +20,21 @@ struct SpinState {
     Vector3<Real> omega;  ///< angular velocity in BODY coordinates, rad/s
 };
 
-/// The same state with ω in body coordinates.
+/// `s` with ω in body coordinates.
 template <class Real>
 SpinState<Real> in_body(const RigidState<Real>& s) noexcept {
     return {s.t, s.q, s.q.conjugate() * s.omega};
 }
 
-/// The same state with ω in world coordinates.
+/// `s` with ω in world coordinates.
 template <class Real>
 RigidState<Real> in_world(const SpinState<Real>& s) noexcept {
     return {s.t, s.q, s.q * s.omega};
 }
 
-/// Is every part of the state a finite number, and the quaternion a rotation: not zero?
+/// Whether every part of the state is a finite number and the quaternion is not zero.
 template <class Real>
-bool is_finite(const SpinState<Real>& s) {
+[[nodiscard]] bool is_finite(const SpinState<Real>& s) {
     return std::isfinite(s.t) && s.q.coeffs().allFinite() && !s.q.coeffs().isZero(0) &&
            s.omega.allFinite();
 }

@@ -1,19 +1,20 @@
 #pragma once
 /// \file
-/// One axis after the other: a whole-body step without a solve that keeps |L|.
+/// One axis after another: a whole-body step that keeps |L| and solves no equation.
 
 #include <timestep/rigid/axis_spin.hpp>
 #include <timestep/rigid/spin_state.hpp>
 
 namespace timestep {
 
-/// The energy is a sum of three, ½ L₁²/I₁ + ½ L₂²/I₂ + ½ L₃²/I₃. With one of them alone the motion
-/// is a steady turn about that axis, by the angle h Lᵢ/Iᵢ. A step takes them in turns, 1, 2, 3, 2,
-/// 1, half a step of each but the one in the middle (McLachlan 1993, Reich 1994).
+/// The energy is a sum of three parts, ½ L₁²/I₁ + ½ L₂²/I₂ + ½ L₃²/I₃. With one part alone the
+/// motion is a steady rotation about that axis, by the angle h Lᵢ/Iᵢ. A step takes them in the
+/// order 1, 2, 3, 2, 1: half a step of each, and a whole step of the middle one (McLachlan 1993,
+/// Reich 1994).
 ///
-/// Order two. Every part is a turn, so |L| stays for every step; the energy oscillates and does not
-/// drift while h|ω| is small, and for no step is it more than |L| allows, |L|²/2I of the least
-/// moment. A step of −h undoes a step of h.
+/// Order two. Every part is a rotation, so |L| stays for any step. The energy oscillates and does
+/// not drift while h|ω| is small, and it never exceeds |L|²/2I of the least moment. A step of −h
+/// undoes a step of h.
 struct Strang {
     static constexpr const char* name = "Strang splitting";  ///< for tables and keys
     static constexpr int order = 2;                          ///< of the error after a whole run

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A gyroscopic solver and the orientation by the mean spin: a method for the whole body.
+/// A gyroscopic solver, with the orientation stepped by the mean spin: a method for the whole body.
 
 #include <algorithm>
 
@@ -8,10 +8,9 @@
 
 namespace timestep {
 
-/// `Solver` gives the new ω; the orientation is turned by the mean of the old ω and the new one, in
-/// body coordinates. A solver of order two keeps its order in the orientation, too. With the new ω
-/// alone, as in the talk (N42), the orientation of a body that tumbles has order one with each of
-/// the solvers.
+/// `Solver` computes the new ω; the mean of the old and the new ω, in body coordinates, rotates the
+/// orientation. A solver of order two keeps its order in the orientation too. With the new ω alone,
+/// as in the talk (N42), the orientation of a tumbling body has order one with every solver.
 template <class Solver>
 struct Tumble {
     static constexpr const char* name = Solver::name;         ///< for tables and keys
