@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What the library does with input that it cannot take: one function, and one macro to replace it.
+/// What the library does with input that it refuses: one function, and one macro to replace it.
 
 #include <cstdio>
 #include <cstdlib>

@@ -9,7 +9,7 @@
 namespace timestep {
 
 /// The constant-acceleration step, which the talk calls Newton (I09). Each step is a piece of a
-/// parabola, so the step is exact for projectiles at any h.
+/// parabola, so the step is exact for projectiles with every h.
 ///
 /// On an undamped spring the step has determinant 1 + (ωh)²/2 and trace 2 − (ωh)²/2. Up to ωh = 4
 /// its eigenvalues are a pair with |λ| = √(1 + (ωh)²/2). Beyond, they are real, and the larger one

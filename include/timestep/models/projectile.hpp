@@ -18,7 +18,7 @@ struct Projectile {
         if (!is_finite(gravity)) refuse("gravity: must be finite");
     }
 
-    /// Gravity, m/s², at any position and velocity.
+    /// Gravity, m/s²: a constant.
     /// [model]
     X acceleration() const { return gravity; }
     /// [model]

@@ -64,7 +64,7 @@ struct Spring {
 
     /// [exact]
     /// The exact state `t` seconds after `start`: x₀ cos ωt + (v₀/ω) sin ωt and its derivative. The
-    /// result has the numbers of the state, whatever those of the spring.
+    /// result has the number type of the state, which may differ from the spring's.
     template <class X>
     State<X> exact(const State<X>& start, real_of<X> t) const {
         using std::cos, std::sin;

@@ -128,7 +128,7 @@ struct UniformInertia {
 };
 
 /// A line of mass along the body's z axis. It has no moment about that axis and no spin about it:
-/// that component of ω is always zero, and with it the gyroscopic torque.
+/// that component of ω is zero, and with it the gyroscopic torque.
 template <class Real>
 struct RodInertia {
     using Scalar = Real;                       ///< the real number type

@@ -64,8 +64,8 @@ Real apart(const Quaternion<Real>& p, const Quaternion<Real>& q) {
     return 2 * std::min(Real(1), norm(quaternion_product(p.conjugate(), q).vec()));
 }
 
-/// A quaternion over its length; NaN if that is zero. (Eigen's `normalized` branches on zero, which
-/// lanes cannot.)
+/// A quaternion over its length; NaN if that is zero. (Eigen's `normalized` branches on zero, and
+/// lanes have no branches.)
 template <class Real>
 TIMESTEP_INLINE Quaternion<Real> over_its_length(const Quaternion<Real>& q) noexcept {
     using std::sqrt;

@@ -13,7 +13,7 @@ namespace timestep {
 /// Reich 1994).
 ///
 /// Order two. Every part is a rotation, so |L| stays for any step. The energy oscillates and does
-/// not drift while h|ω| is small, and it never exceeds |L|²/2I of the least moment. A step of −h
+/// not drift while h|ω| is small, and it is at most |L|²/2I of the least moment. A step of −h
 /// undoes a step of h.
 struct Strang {
     static constexpr const char* name = "Strang splitting";  ///< for tables and keys
