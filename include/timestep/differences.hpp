@@ -99,7 +99,8 @@ inline constexpr CentralDifference central_difference;       ///< the formula as
 inline constexpr FivePointDifference five_point_difference;  ///< the formula as a value
 
 /// The step that is taken after rounding: `x + h` is rounded to a `Real`, and this is its distance
-/// from `x`. Zero if `h` is too small to change `x`. [step_taken]
+/// from `x`. Zero if `h` is too small to change `x`.
+/// [step_taken]
 template <std::floating_point Real>
 Real step_taken(Real x, Real h) {
     const Real next = x + h;

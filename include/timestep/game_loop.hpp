@@ -81,7 +81,8 @@ GameLoop(Real, long) -> GameLoop<Real>;
 /// \endcond
 
 /// The state to draw: a part `alpha` (0 to 1) of the way from the last state but one to the last.
-/// The picture is one step late and moves evenly at any frame rate. [interpolate]
+/// The picture is one step late and moves evenly at any frame rate.
+/// [interpolate]
 template <class X>
 State<X> interpolate(const State<X>& before, const State<X>& now, real_of<X> alpha) {
     const real_of<X> rest = 1 - alpha;

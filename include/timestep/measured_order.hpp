@@ -13,7 +13,8 @@ namespace timestep {
 /// is found by least squares over all pairs (`steps[i]`, `errors[i]`).
 ///
 /// NaN if fewer than two steps have different logarithms, or if a step or an error is not above
-/// zero. [fit]
+/// zero.
+/// [fit]
 inline double measured_order(const std::vector<double>& steps, const std::vector<double>& errors) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     if (steps.size() != errors.size()) return nan;

@@ -42,7 +42,8 @@ struct HalfStepJacobian : PassiveIfSymmetric<HalfStepJacobian> {
     /// [step]
 
     /// One step of `h` seconds of a body with three moments, each row divided by its own; `omega`
-    /// in body coordinates, rad/s. [principal]
+    /// in body coordinates, rad/s.
+    /// [principal]
     template <class Real>
     [[nodiscard]] TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia,
                                                      const Vector3<Real>& omega,

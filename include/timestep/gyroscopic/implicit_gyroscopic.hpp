@@ -59,7 +59,8 @@ struct ImplicitGyroscopic : InOtherAxes<ImplicitGyroscopic> {
     // for the other two are linear in them, and one iteration is the solution:
     //     x₂ + θ y₂ = x₁,  y₂ − θ x₂ = y₁  with θ = h (along − across)/across ω_z.
     /// One step of `h` seconds of a body with two equal moments; `omega` in body coordinates,
-    /// rad/s. [symmetric]
+    /// rad/s.
+    /// [symmetric]
     template <class Real>
     [[nodiscard]] TIMESTEP_INLINE Vector3<Real> step(const SymmetricInertia<Real>& inertia,
                                                      const Vector3<Real>& omega,

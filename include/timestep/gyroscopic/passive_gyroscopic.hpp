@@ -62,7 +62,8 @@ struct PassiveGyroscopic : InOtherAxes<PassiveGyroscopic> {
     // near that the angle is off by θ⁵/120, and for fast spins, where it is far from the tangent,
     // the step is still a rotation.
     /// One step of `h` seconds of a body with two equal moments, which keeps energy and |L|;
-    /// `omega` in body coordinates, rad/s. [symmetric]
+    /// `omega` in body coordinates, rad/s.
+    /// [symmetric]
     template <class Real>
     [[nodiscard]] TIMESTEP_INLINE Vector3<Real> step(const SymmetricInertia<Real>& inertia,
                                                      const Vector3<Real>& omega,

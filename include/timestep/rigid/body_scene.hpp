@@ -26,7 +26,8 @@ struct BodyState {
 /// Returns the body if a scene can step it: mass and radius, if it has them, are above zero, and
 /// 1/m and r²/I, by which the ground divides, neither overflow nor vanish. Throws
 /// `std::invalid_argument` otherwise. Steps check nothing: if you step a body without `Bodies`,
-/// call this once. [checked]
+/// call this once.
+/// [checked]
 template <class Body>
 const Body& checked(const Body& body) {
     const auto usable = [](const char* name, auto value, auto term) {
@@ -113,7 +114,8 @@ public:
     // In place: a state is fourteen numbers, and a scene that changes only a few of them does not
     // copy the others.
     /// One step of `h` seconds of semi-implicit Euler: every term changes the velocities, and the
-    /// new velocities move the body (N46). [step]
+    /// new velocities move the body (N46).
+    /// [step]
     template <class Body, class Real>
     TIMESTEP_INLINE void step(const Body& body, BodyState<Real>& m, Real h) const {
         Real load = 0;
@@ -180,7 +182,8 @@ struct Ground {
 
     /// Keeps the gap from closing beyond zero: v_z ≥ −gap/h. Needs `body.mass`, `body.radius` and
     /// the `body.inertia` of a ball. The velocities become NaN if the square of the contact's
-    /// velocity is too large for a number. [ground]
+    /// velocity is too large for a number.
+    /// [ground]
     template <class Body>
     TIMESTEP_INLINE void operator()(const Body& body, BodyState<Real>& m, Real& load,
                                     Real h) const {

@@ -77,7 +77,8 @@ TIMESTEP_INLINE Quaternion<Real> over_its_length(const Quaternion<Real>& q) noex
 /// the unit quaternions, so the result is scaled back to length one. A step rotates the body by 2
 /// atan(h|ω|/2) instead of h|ω|, which is less than half a turn for any spin, as long as the square
 /// of h|ω|/2 is a number: to 3e19 in `float`, 1e154 in `double`. Beyond, the quaternion is zero,
-/// and `is_finite` of a state is false. [orientation]
+/// and `is_finite` of a state is false.
+/// [orientation]
 template <class Real>
 Quaternion<Real> rotated(const Quaternion<Real>& q1, const Vector3<Real>& omega, Real h) noexcept {
     const Vector3<Real> half = h / 2 * omega;
@@ -103,7 +104,8 @@ TIMESTEP_INLINE Quaternion<Real> rotated_in_body(const Quaternion<Real>& q1,
 /// [in_body]
 
 /// The quaternion of a rotation by |v| rad about v: the exact motion for a constant angular
-/// velocity. [exponential]
+/// velocity.
+/// [exponential]
 template <class Real>
 TIMESTEP_INLINE Quaternion<Real> rotation_by(const Vector3<Real>& v) noexcept {
     const Real half = norm(v) / 2;
