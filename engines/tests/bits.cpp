@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "of.hpp"
+#include "c_functions.hpp"
 #include "random_inertia.hpp"
 
 using namespace timestep;
@@ -26,7 +26,7 @@ void for_each_throw(unsigned long seed, const Look& look) {
         const Vector3<Real> w = Real(angle / double(std::fabs(h))) * random.direction<Real>();
         Quaternion<Real> q(Real(normal(numbers)), Real(normal(numbers)), Real(normal(numbers)), Real(normal(numbers)));
         q.normalize();
-        const Body<Real> body = of<Real>().from_moments(I.moments.x(), I.moments.y(), I.moments.z());
+        const Body<Real> body = functions<Real>().from_moments(I.moments.x(), I.moments.y(), I.moments.z());
         INFO("I = " << I.moments.transpose() << ", w = " << w.transpose() << ", h = " << h);
         REQUIRE(body.kind == 2);
         look(I, body, w, q, h);
@@ -54,14 +54,14 @@ TEST_CASE("in C three numbers one by one have the bits that they have in a vecto
     for_each_throw<float>(1, [&](const auto& I, const auto& three, const Vector3<float>& w, const auto& q, float h) {
         const float across = I.moments.x(), along = std::min(I.moments.y(), 2 * across);
         for (const auto& body :
-             {three, of<float>().from_moments(across, along, across), of<float>().from_moments(1, 1, 1)})
+             {three, functions<float>().from_moments(across, along, across), functions<float>().from_moments(1, 1, 1)})
             for (int i = 0; i < 3; ++i) {
                 Vector3<float> lanes = w, single = w;
-                of<float>().rule[i](&body, lanes.data(), h);
+                functions<float>().rule[i](&body, lanes.data(), h);
                 callsf_one_by_one.rule[i](&body, single.data(), h);
                 REQUIRE(lanes == single);
                 lanes = single = w;
-                of<float>().rule_in_world[i](&body, q.coeffs().data(), lanes.data(), h);
+                functions<float>().rule_in_world[i](&body, q.coeffs().data(), lanes.data(), h);
                 callsf_one_by_one.rule_in_world[i](&body, q.coeffs().data(), single.data(), h);
                 REQUIRE(lanes == single);
             }
@@ -75,8 +75,8 @@ TEMPLATE_TEST_CASE("in C a rule has the library's bits, in the body and in the w
         for_each_rule([&](int i, const auto& rule) {
             const Vec expected = rule.step(I, w, h);
             Vec after = w;
-            of<TestType>().rule[i](&body, after.data(), h);
-            if (of<TestType>().idle(&body, w.data())) {  // not even rounded
+            functions<TestType>().rule[i](&body, after.data(), h);
+            if (functions<TestType>().idle(&body, w.data())) {  // not even rounded
                 REQUIRE(after == w);
                 return;
             }
@@ -86,7 +86,7 @@ TEMPLATE_TEST_CASE("in C a rule has the library's bits, in the body and in the w
 
             const Vec in_world = after_gyroscopic_torque(rule, I, q, w, h);
             Vec turned = w;
-            of<TestType>().rule_in_world[i](&body, q.coeffs().data(), turned.data(), h);
+            functions<TestType>().rule_in_world[i](&body, q.coeffs().data(), turned.data(), h);
             if (in_world.allFinite()) REQUIRE(turned == in_world);
             ++compared;
         });
@@ -102,7 +102,7 @@ TEMPLATE_TEST_CASE("in C two equal moments have the library's bits, whichever ax
         for (int odd = 0; odd < 3; ++odd) {
             Vec moments = Vec::Constant(across);
             moments[odd] = along;
-            const auto body = of<TestType>().from_moments(moments.x(), moments.y(), moments.z());
+            const auto body = functions<TestType>().from_moments(moments.x(), moments.y(), moments.z());
             REQUIRE(body.kind == 1);
             REQUIRE(body.odd == odd);
             const int i = (odd + 1) % 3, j = (odd + 2) % 3;
@@ -110,7 +110,7 @@ TEMPLATE_TEST_CASE("in C two equal moments have the library's bits, whichever ax
             for_each_rule([&](int rule, const auto& ours) {
                 const Vec expected = ours.step(symmetric, Vec(w[i], w[j], w[odd]), h);
                 Vec after = w;
-                of<TestType>().rule[rule](&body, after.data(), h);
+                functions<TestType>().rule[rule](&body, after.data(), h);
                 REQUIRE(Vec(after[i], after[j], after[odd]) == expected);
             });
         }
@@ -129,8 +129,8 @@ TEMPLATE_TEST_CASE("in C what flies has the library's bits", "[c]", float, doubl
             const auto expected = flown(start);
             Quaternion<TestType> turned = q;
             Vec after = w;
-            of<TestType>().fly[four](&body, turned.coeffs().data(), after.data(), h);
-            if (of<TestType>().idle(&body, w.data())) {
+            functions<TestType>().fly[four](&body, turned.coeffs().data(), after.data(), h);
+            if (functions<TestType>().idle(&body, w.data())) {
                 REQUIRE(after == w);
                 // The angle of a long step is rounded, too: each of its parts some ten times, with the moments' root
                 // and A.
@@ -143,7 +143,7 @@ TEMPLATE_TEST_CASE("in C what flies has the library's bits", "[c]", float, doubl
             const SpinState<TestType> in_the_world = flown({0, q, turned_over(Quaternion<TestType>(q.conjugate()), w)});
             Quaternion<TestType> turned2 = q;
             Vec after2 = w;
-            of<TestType>().fly_in_world[four](&body, turned2.coeffs().data(), after2.data(), h);
+            functions<TestType>().fly_in_world[four](&body, turned2.coeffs().data(), after2.data(), h);
             REQUIRE(after2 == turned_over(in_the_world.q, in_the_world.omega));
             REQUIRE(turned2.coeffs() == in_the_world.q.coeffs());
         }
@@ -156,7 +156,8 @@ TEMPLATE_TEST_CASE("in C a body may be made from one over its moments", "[c]", f
     RandomInertia random(4);
     for (int n = 0; n < 1000; ++n) {
         const auto I = random.inertia<TestType>(100);
-        const auto body = of<TestType>().from_inverse_moments(1 / I.moments.x(), 1 / I.moments.y(), 1 / I.moments.z());
+        const auto body =
+            functions<TestType>().from_inverse_moments(1 / I.moments.x(), 1 / I.moments.y(), 1 / I.moments.z());
         for (int i = 0; i < 3; ++i) {
             const TestType others = (I.moments.sum() - I.moments[i]) / I.moments[i];
             CHECK(std::fabs(body.unit[i] / I.unit[i] - 1) <= 16 * epsilon);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "of.hpp"
+#include "c_functions.hpp"
 #include "random_inertia.hpp"
 
 using namespace timestep;

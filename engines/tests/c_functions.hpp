@@ -1,5 +1,5 @@
 #pragma once
-// gyroscopic.h for templates, and a rule of the library beside each function.
+// The functions of gyroscopic.h by number type, and the rule of the library that each is compared with.
 
 #include <type_traits>
 
@@ -12,17 +12,17 @@ template <class Real>
 using Body = std::conditional_t<std::is_same_v<Real, float>, gyroscopic_bodyf, gyroscopic_body>;
 
 template <class Real>
-const auto& of() {
+const auto& functions() {
     if constexpr (std::is_same_v<Real, float>)
         return callsf;
     else
         return calls;
 }
 
-// Calls `look(i, rule)` with the library's rule beside of<Real>().rule[i].
-template <class Look>
-void for_each_rule(const Look& look) {
-    look(0, timestep::passive_gyroscopic);
-    look(1, timestep::half_step_jacobian);
-    look(2, timestep::calm_half_step);
+// Calls `visit(i, rule)` with the library's rule for functions<Real>().rule[i].
+template <class Visit>
+void for_each_rule(const Visit& visit) {
+    visit(0, timestep::passive_gyroscopic);
+    visit(1, timestep::half_step_jacobian);
+    visit(2, timestep::calm_half_step);
 }
