@@ -165,7 +165,7 @@ function(timestep_chapter chapter)
       DEPENDS ${name} ${study} ${scripts} "${folder}/about.json"
               "${PROJECT_SOURCE_DIR}/tools/figures/style.gp"
               "${PROJECT_SOURCE_DIR}/tools/cmake/run.cmake"
-              "${PROJECT_SOURCE_DIR}/tools/cmake/misuse.cmake" ${misuse_paths}
+              ${misuse_paths}
       COMMENT "Running chapter ${chapter}" VERBATIM)
     add_custom_target(run_${name} DEPENDS "${run}/done")
     set_property(GLOBAL APPEND PROPERTY TIMESTEP_RUNS run_${name})

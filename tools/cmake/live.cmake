@@ -2,35 +2,19 @@
 # picture) and, where there is a compiler for it, a module of WebAssembly. Both are left in
 # ${build}/chapters/NN_name/live.
 
-# Clang, its linker, and a C and C++ library for WebAssembly: asked for by compiling something. The files that this took
-# are remembered: when one of them is gone CMake configures again, as for all else that it has found, and asks anew.
+# Clang, its linker, and a C and C++ library for WebAssembly: asked for by compiling something, whenever CMake runs.
 find_program(WASM_CXX NAMES clang++ clang++-20 clang++-19 clang++-18 clang++-17 clang++-16 clang++-15 clang++-14)
 set(wasm_options --target=wasm32-wasi -mexec-model=reactor -std=c++20)
-if(NOT WASM_CXX IN_LIST TIMESTEP_WASM)
-  unset(TIMESTEP_WASM CACHE)
-endif()
-foreach(file IN LISTS TIMESTEP_WASM)
-  if(NOT EXISTS "${file}")
-    message(STATUS "${file} is gone; looking for another")
-    unset(TIMESTEP_WASM CACHE)
-  endif()
-endforeach()
-if(WASM_CXX AND NOT TIMESTEP_WASM)
+set(TIMESTEP_WASM OFF)
+if(WASM_CXX)
   set(probe "${PROJECT_BINARY_DIR}/live_probe")
   file(WRITE "${probe}.cpp" "#include <cmath>\n#include <string>\nstd::string s;\nextern \"C\" double f(double x) { s += 'x'; return std::sin(x); }\n")
-  execute_process(COMMAND "${WASM_CXX}" ${wasm_options} "${probe}.cpp" -o "${probe}.wasm" -MD -MF "${probe}.d" -Wl,--trace
-    RESULT_VARIABLE status OUTPUT_VARIABLE linked ERROR_QUIET)
+  execute_process(COMMAND "${WASM_CXX}" ${wasm_options} "${probe}.cpp" -o "${probe}.wasm"
+    RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
   if(status EQUAL 0)
-    execute_process(COMMAND "${WASM_CXX}" -print-prog-name=wasm-ld OUTPUT_VARIABLE linker OUTPUT_STRIP_TRAILING_WHITESPACE)
-    file(READ "${probe}.d" included)
-    string(REGEX MATCHALL "/[^ \n]*/(cmath|math[.]h)" included "${included}")
-    string(REGEX MATCHALL "/[^\n]*(/crt1-reactor[.]o|[.]a)" linked "${linked}")
-    set(files "${WASM_CXX}" "${linker}" ${included} ${linked})
-    list(REMOVE_DUPLICATES files)
-    set(TIMESTEP_WASM "${files}" CACHE INTERNAL "with these files a module of WebAssembly can be made")
+    set(TIMESTEP_WASM ON)
   endif()
 endif()
-set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${TIMESTEP_WASM})
 if(NOT TIMESTEP_WASM)
   message(STATUS "No compiler for WebAssembly: the panels stand still (packages clang, lld, wasi-libc, "
                  "libc++-…-dev-wasm32, libclang-rt-…-dev-wasm32)")

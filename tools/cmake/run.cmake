@@ -12,8 +12,82 @@
 # complainer's own words: CMake breaks the lines of its error messages.
 
 cmake_minimum_required(VERSION 3.25)
-include("${CMAKE_CURRENT_LIST_DIR}/chapter_figures.cmake")
-include("${CMAKE_CURRENT_LIST_DIR}/misuse.cmake")
+
+# Are the figures in `folder` exactly those that about.json names (`all`), or the program's picture alone, and is each of
+# them whole? Sets `problem` to a sentence, or to nothing.
+function(check_figures folder about all problem)
+  set(${problem} "" PARENT_SCOPE)
+  file(READ "${about}" json)
+  string(JSON named GET "${json}" picture)
+  string(JSON count ERROR_VARIABLE none LENGTH "${json}" figures)
+  if(all AND count GREATER 0)
+    set(named "")
+    math(EXPR last "${count} - 1")
+    foreach(i RANGE ${last})
+      string(JSON figure GET "${json}" figures ${i})
+      list(APPEND named "${figure}")
+    endforeach()
+  endif()
+  file(GLOB drawn RELATIVE "${folder}" "${folder}/*.svg" "${folder}/*.gif")
+
+  foreach(figure IN LISTS named)
+    if(NOT figure IN_LIST drawn)
+      set(${problem} "${about}: figure ${figure} was not drawn by figures.gp" PARENT_SCOPE)
+      return()
+    endif()
+    # A whole SVG ends with its closing tag, a whole GIF with the byte 3b.
+    file(SIZE "${folder}/${figure}" size)
+    math(EXPR tail "${size} - 8")
+    if(tail LESS 0)
+      set(tail 0)
+    endif()
+    file(READ "${folder}/${figure}" ending OFFSET ${tail} HEX)
+    if(NOT ending MATCHES "(3c2f7376673e(0a)*|3b)$")
+      set(${problem} "${figure}: was not written to its end (is the disk full?)" PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
+  foreach(figure IN LISTS drawn)
+    if(NOT figure IN_LIST named)
+      set(${problem} "${about}: figures.gp draws ${figure}, which is not in the list of figures"
+          PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
+endfunction()
+
+# Compiles a source that must not compile, and writes the command and what the compiler says into
+# `folder`: the error, and the place in the source that led to it. Everything is called by its path
+# from ROOT, so no path of this machine is in the words. Sets `problem` to a sentence, or to nothing.
+function(compile_misuse source folder problem)
+  set(${problem} "" PARENT_SCOPE)
+  set(command -std=c++20 -fsyntax-only -Iinclude "${source}")
+  execute_process(COMMAND "${CMAKE_COMMAND}" -E env LC_ALL=C.UTF-8 "${COMPILER}" ${command}
+    WORKING_DIRECTORY "${ROOT}" RESULT_VARIABLE status OUTPUT_VARIABLE words ERROR_VARIABLE words)
+  string(REGEX MATCH "[^\n]*: error: timestep: [^\n]*|[^\n]*: error: static[^\n]*timestep: [^\n]*"
+         error "${words}")
+  if(status EQUAL 0)
+    set(${problem} "${source}: compiles, and must not" PARENT_SCOPE)
+    return()
+  elseif(NOT error)
+    set(${problem} "${source}: does not compile, but for another reason:\n${words}" PARENT_SCOPE)
+    return()
+  endif()
+  # g++ names the line of the source before the error, clang++ after it.
+  get_filename_component(file "${source}" NAME)
+  string(REGEX MATCH "[^\n]*${file}:[0-9:]+ [^\n]*(required from|requested here)[^\n]*" place "${words}")
+  string(FIND "${words}" "${error}" error_at)
+  string(FIND "${words}" "${place}" place_at)
+  if(place_at LESS error_at)
+    set(said "${place}\n${error}")
+  else()
+    set(said "${error}\n${place}")
+  endif()
+  get_filename_component(name "${COMPILER}" NAME)
+  list(JOIN command " " options)
+  get_filename_component(stem "${source}" NAME_WE)
+  file(WRITE "${folder}/${stem}.txt" "$ ${name} ${options}\n${said}\n")
+endfunction()
 
 function(complain status text)
   if(DEFINED COMPLAINT)
@@ -31,8 +105,7 @@ endfunction()
 # built again, as long as all that the run left is there.
 set(made_from "${GNUPLOT}\n")
 get_filename_component(styles "${STYLE}" DIRECTORY)
-file(GLOB scripts "${ROOM}/*.gp" "${ROOM}/study/*.gp" "${styles}/*.gp" "${CMAKE_CURRENT_LIST_DIR}/run.cmake"
-  "${CMAKE_CURRENT_LIST_DIR}/chapter_figures.cmake")
+file(GLOB scripts "${ROOM}/*.gp" "${ROOM}/study/*.gp" "${styles}/*.gp" "${CMAKE_CURRENT_LIST_DIR}/run.cmake")
 file(REAL_PATH "${GNUPLOT}" gnuplot)
 if(NOT EXISTS "${gnuplot}")
   set(gnuplot "")  # the reader's own run finds it by its name
