@@ -141,6 +141,14 @@ double velocity_now(double x0, double x1, double x2, double h) {
     if (all == MAP_FAILED) return 0;
     return reinterpret_cast<double (*)(double, double, double, double)>(static_cast<char*>(all) + 0x$place)(x0, x1, x2, h);
 }
+CODE
+    # As it is bought where nothing is shut away: so the way there is the right one.
+    expect 1 course grade class --trust
+    is "gus $(verdict_of gus)" 'gus pass'
+    expect 1 course grade class
+    is "gus $(verdict_of gus)" 'gus wrong'
+    case $(says_of gus) in *'the hidden tests: No such file or directory'*) ;; *) fail "$(says_of gus)" ;; esac
+}
 
 test_a_killed_grading_goes_on_and_loses_nothing() {
     needs_isolation

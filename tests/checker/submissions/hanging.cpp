@@ -96,7 +96,7 @@ double velocity_now(double x0, double x1, double x2, double h) {
 }
 
 // ---- compiles without end by templates
-// velocity_now does_not_compile: had not come to an end after 9 s of work
+// velocity_now does_not_compile: The compiler had not come to an end after
 #include "exercise.hpp"
 
 template <int depth, long path>
