@@ -24,4 +24,5 @@ target_include_directories(c_tests PRIVATE "${PROJECT_SOURCE_DIR}/tests/support"
 target_link_libraries(c_one_by_one PRIVATE timestep_headers timestep_warnings)
 target_link_libraries(c_tests PRIVATE timestep timestep_shared timestep_warnings Catch2::Catch2WithMain m)
 target_precompile_headers(c_tests PRIVATE "$<$<COMPILE_LANGUAGE:CXX>:Eigen/Dense$<SEMICOLON>catch2/catch_test_macros.hpp>")
-catch_discover_tests(c_tests)
+add_test(NAME "gyroscopic.h: the rules in C" COMMAND c_tests)
+set_tests_properties("gyroscopic.h: the rules in C" PROPERTIES LABELS long)
