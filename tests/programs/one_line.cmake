@@ -1,6 +1,6 @@
-# A chapter's program is small, stands alone and does what its first lines say: compiled and run by the line that
-# stands there, word for word but for the compiler's name, it prints its output and leaves one file of data. Where
-# it cannot write, it says so in one line, with exit status 2. Called with ROOT, CHAPTER, NAME, COMPILER, EIGEN, WORK.
+# A chapter's program does what its first lines say: compiled and run by the line that stands there, word for word apart
+# from the compiler's name, it prints its output and leaves one file of data. Where it cannot write, it says so in one
+# line, with exit status 2. Called with ROOT, CHAPTER, NAME, COMPILER, EIGEN, WORK.
 cmake_minimum_required(VERSION 3.25)
 
 set(program "chapters/${CHAPTER}/${NAME}.cpp")
@@ -9,17 +9,6 @@ function(wrong text)
 endfunction()
 
 file(READ "${ROOT}/${program}" source)
-string(REGEX MATCHALL "\n" lines "${source}")
-list(LENGTH lines count)
-if(count GREATER 120)
-  wrong("has ${count} lines, must have 120 at most")
-endif()
-string(REGEX MATCHALL "#include [^\n]+" includes "${source}")
-foreach(include IN LISTS includes)
-  if(NOT include MATCHES "^#include <(timestep/[a-z0-9_/]+[.]hpp|Eigen/[A-Za-z]+|[a-z_]+)>$")
-    wrong("${include}: only the library, the standard library and Eigen")
-  endif()
-endforeach()
 if(NOT source MATCHES "^// Chapter [0-9]+: [^\n]+\n//\n//   c[+][+] (-std=[^\n]+)\n")
   wrong("must begin with what it is, and with the line that compiles it")
   return()
@@ -27,7 +16,7 @@ endif()
 set(line "${COMPILER} ${CMAKE_MATCH_1}")
 string(REPLACE "/usr/include/eigen3" "${EIGEN}" line "${line}")  # another machine has it elsewhere
 
-# The checkout is not written into: its programs and the library are seen through links.
+# The checkout is only read: links lead to its programs and the library.
 file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}")
 file(CREATE_LINK "${ROOT}/include" "${WORK}/include" SYMBOLIC)
@@ -45,7 +34,7 @@ if(NOT count EQUAL 1)
   return()
 endif()
 
-# Full disks are hard to come by: a folder of that name is in the way.
+# A folder of that name is in the way, as a full disk would be.
 file(REMOVE "${data}")
 file(MAKE_DIRECTORY "${data}")
 string(REGEX MATCH "&& ([^ ]+)$" run "${line}")
