@@ -19,9 +19,7 @@ std::string between(const std::string& text, std::string_view begin, std::string
     const auto found = text.find(begin);
     const auto start = found + begin.size();
     const auto stop = found == std::string::npos ? found : text.find(end, start);
-    if (stop == std::string::npos) {
-        throw page::Error{file, 1, "has no " + std::string{begin}};
-    }
+    if (stop == std::string::npos) throw page::Error{file, 1, "has no " + std::string{begin}};
     return text.substr(start, stop - start);
 }
 
@@ -29,18 +27,12 @@ std::string between(const std::string& text, std::string_view begin, std::string
 std::string moved(const std::string& name, const std::string& value, const std::string& page,
                   const std::set<std::string>& pages) {
     const bool leaves = value.find(':') != std::string::npos;
-    if (name == "id" || name == "name") {
-        return " " + name + "=\"" + page + "." + value + "\"";
-    }
-    if (name == "src" || name == "srcset") {
-        return " " + name + "=\"" + (leaves ? value : "html/" + value) + "\"";
-    }
+    if (name == "id" || name == "name") return " " + name + "=\"" + page + "." + value + "\"";
+    if (name == "src" || name == "srcset") return " " + name + "=\"" + (leaves ? value : "html/" + value) + "\"";
     if (name == "href" && !leaves) {
         const std::string file = value.substr(0, value.find('#'));
         const std::string to = file.empty() ? page : fs::path{file}.stem().string();
-        if (pages.count(to) == 0) {
-            return {};
-        }
+        if (pages.count(to) == 0) return {};
         return " href=\"#" + to +
                (value.find('#') == std::string::npos ? "" : "." + value.substr(value.find('#') + 1)) + "\"";
     }
@@ -53,9 +45,8 @@ std::string chapter_of_book(const fs::path& site, const std::string& page, const
     const std::string file = page + ".html", html = page::read_file(site / file);
     title = page::trim(between(html, "<div class=\"title\">", "</div>", file));
     std::string text = between(html, "<div class=\"contents\">", "</div><!-- PageDoc -->", file);
-    if (const auto toc = text.find("<div class=\"toc\">"); toc != std::string::npos) {
+    if (const auto toc = text.find("<div class=\"toc\">"); toc != std::string::npos)
         text.erase(toc, text.find("</div>", toc) + 6 - toc);
-    }
     std::string book;
     for (std::size_t at = 0; at < text.size();) {
         const auto tag = text.find('<', at);
@@ -66,9 +57,7 @@ std::string chapter_of_book(const fs::path& site, const std::string& page, const
         }
         book += text.substr(at, tag - at);
         std::string inside = text.substr(tag, end - tag);
-        if (inside == "<details" || inside.starts_with("<details ")) {
-            inside.insert(8, " open=\"\"");
-        }
+        if (inside == "<details" || inside.starts_with("<details ")) inside.insert(8, " open=\"\"");
         for (std::size_t next = 0; next < inside.size();) {
             const auto equals = inside.find("=\"", next);
             const auto quote = equals == std::string::npos ? equals : inside.find('"', equals + 2);
@@ -106,9 +95,8 @@ int main(int argc, char** argv) {
             contents += "<li><a href=\"#" + page + "\">" + title + "</a></li>\n";
         }
         for (const char* style : {"doxygen.css", "doxygen-awesome.css", "timestep.css"}) {
-            if (fs::exists(site / style)) {
+            if (fs::exists(site / style))
                 head += "<link rel=\"stylesheet\" href=\"html/" + std::string{style} + "\">\n";
-            }
         }
         page::write_file(
             argv[2],

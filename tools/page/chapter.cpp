@@ -36,9 +36,7 @@ std::vector<Chapter> load_chapters(const std::filesystem::path& root) {
     if (std::filesystem::is_directory(root / "chapters")) {
         for (const auto& entry : std::filesystem::directory_iterator{root / "chapters"}) {
             const std::string folder = entry.path().filename().string();
-            if (entry.is_directory() && is_chapter(folder)) {
-                folders.push_back(folder);
-            }
+            if (entry.is_directory() && is_chapter(folder)) folders.push_back(folder);
         }
     }
     std::sort(folders.begin(), folders.end());
@@ -59,9 +57,7 @@ std::vector<Chapter> load_chapters(const std::filesystem::path& root) {
         if (chapter.figures.empty()) chapter.figures = {chapter.picture};
         chapter.has_more = std::filesystem::exists(root / chapter.source(true));
         for (const std::string& row : chapter.claims) {
-            if (!is_row(row)) {
-                throw Error{file, 1, "\"" + row + "\" is no claim (N or I and two digits)"};
-            }
+            if (!is_row(row)) throw Error{file, 1, "\"" + row + "\" is no claim (N or I and two digits)"};
         }
         chapters.push_back(chapter);
     }

@@ -61,19 +61,14 @@ std::string chapter_header(Context& context, const std::string& source) {
         const RunData& run = context.run_of(chapter.folder + "/", name);
         facts += ", runs in " + seconds(run.milliseconds()) + "\u202fs";
     } catch (const NotYet&) {
-        if (!context.draft) {
-            throw;
-        }
+        if (!context.draft) throw;
     }
     std::string before;
     for (const Chapter& other : context.chapters()) {
-        for (const std::string& needed : chapter.builds_on) {
+        for (const std::string& needed : chapter.builds_on)
             before += needed == other.folder ? (before.empty() ? "" : ", ") + reference(other) : "";
-        }
     }
-    if (!before.empty()) {
-        facts += " · Builds on: " + before;
-    }
+    if (!before.empty()) facts += " · Builds on: " + before;
     return "# " + chapter.heading() + " {#" + chapter.id() + "}\n\n[TOC]\n\n<div class=\"facts\">" + facts +
            "</div>\n\n";
 }
@@ -103,9 +98,7 @@ std::string chapters_markdown(Context& context, const Directive&) {
         try {
             picture = card(context, chapter);
         } catch (const NotYet&) {
-            if (!context.draft) {
-                throw;
-            }
+            if (!context.draft) throw;
             ++context.gaps;
             state = " <span class=\"gap\">being made</span>";
         }

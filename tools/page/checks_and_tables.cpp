@@ -13,9 +13,7 @@ namespace {
 /// The number that `reference` names, without its unit when it ends in `.value`.
 Number look_up(Context& context, std::string reference) {
     const bool bare = reference.ends_with(".value");
-    if (bare) {
-        reference.erase(reference.size() - 6);
-    }
+    if (bare) reference.erase(reference.size() - 6);
     std::string name;
     RunData& run = context.run_of(reference, name);
     Number number = run.number(name);
@@ -33,12 +31,9 @@ Number look_up(Context& context, std::string reference) {
 /// A cell as a number, "× 1.5" and "57 %" among them, set so that no line breaks in it. Empty: words.
 std::string number_cell(const std::string& cell) {
     static const std::string times = "× ", percent = " %";
-    if (parse_number(cell)) {
-        return typeset(cell, "");
-    }
-    if (cell.starts_with(times) && parse_number(cell.substr(times.size()))) {
+    if (parse_number(cell)) return typeset(cell, "");
+    if (cell.starts_with(times) && parse_number(cell.substr(times.size())))
         return "×\u00a0" + typeset(cell.substr(times.size()), "");
-    }
     const std::string before = cell.substr(0, cell.size() - std::min(cell.size(), percent.size()));
     return cell.ends_with(percent) && parse_number(before) ? typeset(before, "%") : "";
 }
@@ -82,9 +77,7 @@ std::string number_tex(Context& context, const std::string& reference) {
 }
 
 std::string check_markdown(Context& context, const Directive& directive) {
-    if (directive.arguments.size() != 1) {
-        throw std::invalid_argument{"{{check name}} takes one name"};
-    }
+    if (directive.arguments.size() != 1) throw std::invalid_argument{"{{check name}} takes one name"};
     std::string name;
     const std::string statement = attribute(context.run_of(directive.arguments.front(), name).check(name));
     // Shown by the style sheet under the pointer, and on a phone at a tap.
@@ -98,9 +91,7 @@ std::string with_marks_joined(std::string page) {
     for (std::size_t at = page.find(end); at != std::string::npos; at = page.find(end, at + 1)) {
         while (true) {
             const std::size_t next = page.find_first_not_of(" \n", at + end.size());
-            if (next == std::string::npos || page.compare(next, begin.size(), begin) != 0) {
-                break;
-            }
+            if (next == std::string::npos || page.compare(next, begin.size(), begin) != 0) break;
             const std::size_t from = page.find(told, next) + told.size(), to = page.find(end, next);
             const std::size_t first = page.rfind(told, at) + told.size();
             const std::string all = page.substr(first, at - first) + "; " + page.substr(from, to - from);
@@ -121,9 +112,7 @@ std::string with_marks_joined(std::string page) {
 }
 
 bool is_measured(Context& context, const Directive& directive, const std::string& folder) {
-    if (directive.arguments.size() != 1) {
-        throw std::invalid_argument{"{{where name}} takes one name"};
-    }
+    if (directive.arguments.size() != 1) throw std::invalid_argument{"{{where name}} takes one name"};
     const std::string& reference = directive.arguments.front();
     std::string name;
     return !context
@@ -135,9 +124,7 @@ bool is_measured(Context& context, const Directive& directive, const std::string
 }
 
 std::string table_markdown(Context& context, const Directive& directive) {
-    if (directive.arguments.size() != 1) {
-        throw std::invalid_argument{"a table is {{table file.tsv}}"};
-    }
+    if (directive.arguments.size() != 1) throw std::invalid_argument{"a table is {{table file.tsv}}"};
     std::string file;
     RunData& run = context.run_of(directive.arguments.front(), file);
     const Table table = run.table(file);

@@ -28,18 +28,15 @@ void Context::set_chapter(const std::string& folder, const std::filesystem::path
 const std::string& Context::folder_of(const std::string& reference) {
     const std::size_t slash = reference.find('/');
     if (slash == std::string::npos) {
-        if (chapter_ == nullptr) {
+        if (chapter_ == nullptr)
             throw std::out_of_range{"\"" + reference + "\" needs its chapter before it: NN_name/" + reference};
-        }
         return chapter_->folder;
     }
     const std::string folder = reference.substr(0, slash);
     auto found = data_.find(folder);
     if (found == data_.end()) {
         // What is measured beside the chapters leaves a run of its own.
-        if (!std::filesystem::is_directory(runs_ / folder / "run")) {
-            throw NotYet{"there is no run of " + folder};
-        }
+        if (!std::filesystem::is_directory(runs_ / folder / "run")) throw NotYet{"there is no run of " + folder};
         found = data_.emplace(folder, RunData{folder, runs_ / folder / "run"}).first;
     }
     return found->first;

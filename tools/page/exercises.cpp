@@ -84,9 +84,7 @@ std::string task(const fs::path& file) {
     };
     bool title = true;
     for (const std::string& line : split_lines(read_file(file))) {
-        if (line.rfind("//", 0) != 0) {
-            break;
-        }
+        if (line.rfind("//", 0) != 0) break;
         const std::string text = line.substr(std::min<std::size_t>(line.size(), 3));
         if (title) {
             title = false;
@@ -117,14 +115,10 @@ std::vector<Exercise> load_exercises(Context& context, const std::string& chapte
     const fs::path& root = context.root();
     std::vector<Exercise> exercises;
     const fs::path folder = root / "tests/exercises" / chapter;
-    if (!fs::is_directory(folder)) {
-        return exercises;
-    }
+    if (!fs::is_directory(folder)) return exercises;
     for (const auto& room : fs::directory_iterator{folder}) {
         const fs::path about = room.path() / "about.json";
-        if (!fs::exists(about)) {
-            continue;
-        }
+        if (!fs::exists(about)) continue;
         Exercise exercise{};
         exercise.name = room.path().filename().string();
         exercise.chapter = chapter;
@@ -150,9 +144,7 @@ std::string quoted(const std::string& text) { return "\"" + replace_all(text, "\
 
 /// On a chapter's page: one line each, with the way to the task.
 std::string in_brief(const std::vector<Exercise>& exercises) {
-    if (exercises.empty()) {
-        return {};
-    }
+    if (exercises.empty()) return {};
     std::string table = "\n| | exercise | practises | level |\n|---|---|---|---|\n";
     for (const Exercise& exercise : exercises) {
         table += "| " + exercise.place() + " | \\ref " + exercise.id() + " " + quoted(exercise.title) + " | " +
@@ -163,9 +155,7 @@ std::string in_brief(const std::vector<Exercise>& exercises) {
 
 /// A declaration; a long one has a line for each parameter, which a narrow page does not cut.
 std::string in_lines(const std::string& declaration) {
-    if (declaration.size() <= 40) {
-        return declaration;
-    }
+    if (declaration.size() <= 40) return declaration;
     std::string text;
     int brackets = 0;  // in those of a template a comma parts no parameters
     for (const char character : declaration) {

@@ -16,9 +16,7 @@ static std::string first_sentence(const std::string& caption) {
     bool in_tag = false;
     for (const char c : replace_all(caption, "\\f$", "")) {
         in_tag = in_tag || c == '<';
-        if (!in_tag && std::string_view{"\\{}*`_"}.find(c) == std::string_view::npos) {
-            plain += c == '\n' ? ' ' : c;
-        }
+        if (!in_tag && std::string_view{"\\{}*`_"}.find(c) == std::string_view::npos) plain += c == '\n' ? ' ' : c;
         in_tag = in_tag && c != '>';
     }
     const std::size_t end = plain.find(". ");
@@ -41,9 +39,7 @@ std::string picture_html(Context& context, const std::string& folder, const std:
     const std::string image =
         "<img src=\"" + source + "\" alt=\"" + words + "\"" + size_of(drawn) + " loading=\"lazy\">";
     const std::filesystem::path narrow = drawn.parent_path() / "narrow" / file;
-    if (drawn.extension() == ".gif" || !std::filesystem::exists(narrow.parent_path())) {
-        return image;
-    }
+    if (drawn.extension() == ".gif" || !std::filesystem::exists(narrow.parent_path())) return image;
     context.figures.emplace(folder + "/narrow/" + file, narrow);
     return "<picture><source srcset=\"figures/" + folder + "/narrow/" + file +
            "\" media=\"screen and (max-width: 560px)\"" + size_of(narrow) + ">" + image + "</picture>";
@@ -106,9 +102,8 @@ std::set<std::string> left_out(Context& context, const Chapter& chapter, std::st
             where = kind == "where" ? piece.text : "";
         } else if (kind == "figure" && words.size() > 1 && !where.empty()) {
             try {
-                if (!is_measured(context, parse_directive(where), chapter.folder)) {
+                if (!is_measured(context, parse_directive(where), chapter.folder))
                     figures.insert(chapter.folder + "/" + words[1]);
-                }
             } catch (const std::logic_error&) {  // no such run or number yet: the page itself says so
             }
         }
@@ -136,9 +131,8 @@ std::vector<Numbered> figures_of(Context& context, const Chapter& chapter) {
 }
 
 std::string see_markdown(Context& context, const Directive& directive) {
-    if (directive.arguments.size() != 1 || !directive.text.empty()) {
+    if (directive.arguments.size() != 1 || !directive.text.empty())
         throw std::invalid_argument{"to refer to a figure is {{see file.svg}} or {{see 03_chapter/file.svg}}"};
-    }
     std::string file;
     const std::string& reference = directive.arguments.front();
     context.run_of(reference, file);
@@ -155,25 +149,21 @@ std::string see_markdown(Context& context, const Directive& directive) {
             html = link(&chapter, figures_of(context, chapter));
         }
     }
-    if (html.empty()) {
-        throw std::out_of_range{reference + " is no figure of this page nor of its chapter's"};
-    }
+    if (html.empty()) throw std::out_of_range{reference + " is no figure of this page nor of its chapter's"};
     return html;
 }
 
 std::string figure_markdown(Context& context, const Directive& directive) {
     const std::string& caption = directive.text;
-    if (directive.arguments.empty() || trim(caption).empty()) {
+    if (directive.arguments.empty() || trim(caption).empty())
         throw std::invalid_argument{"a figure is {{figure file.svg N22: caption}}"};
-    }
     const std::string& reference = directive.arguments.front();
     std::string file;
     RunData& run = context.run_of(reference, file);
     const std::string& folder = context.folder_of(reference);
     for (const Chapter& chapter : context.chapters()) {
-        if (chapter.folder == folder && std::count(chapter.figures.begin(), chapter.figures.end(), file) == 0) {
+        if (chapter.folder == folder && std::count(chapter.figures.begin(), chapter.figures.end(), file) == 0)
             throw std::out_of_range{file + " is not among the figures in " + chapter.about()};
-        }
     }
     for (const Numbered& each : context.order) {
         if (each.figure == folder + "/" + file && each.page != context.page()) {
@@ -182,21 +172,17 @@ std::string figure_markdown(Context& context, const Directive& directive) {
         }
     }
     const std::filesystem::path drawn = run.figure(file);
-    if (context.figures.count(folder + "/" + file) != 0) {
-        throw std::out_of_range{file + " is shown twice on this page"};
-    }
+    if (context.figures.count(folder + "/" + file) != 0) throw std::out_of_range{file + " is shown twice on this page"};
 
     const bool moves = drawn.extension() == ".gif";
     const std::string name = figure_name(drawn, moves), anchor = figure_anchor(drawn);
-    if (!context.anchors.insert(anchor).second) {
+    if (!context.anchors.insert(anchor).second)
         throw std::out_of_range{file + ": another figure on this page has the id " + anchor};
-    }
     for (std::size_t i = 1; i < directive.arguments.size(); ++i) {
         const std::string& row = directive.arguments[i];
         const Chapter* chapter = context.chapter();
-        if (chapter == nullptr || std::count(chapter->claims.begin(), chapter->claims.end(), row) == 0) {
+        if (chapter == nullptr || std::count(chapter->claims.begin(), chapter->claims.end(), row) == 0)
             throw std::out_of_range{"\"" + row + "\" is none of this chapter's claims"};
-        }
         context.index.push_back(
             {row, "figure", context.page() + ".html", anchor, replace_all(name, "_", " ") + (moves ? ", film" : "")});
     }
@@ -212,9 +198,8 @@ std::string figure_markdown(Context& context, const Directive& directive) {
 
 std::string live_markdown(Context& context, const Directive& directive) {
     const std::string& caption = directive.text;
-    if (directive.arguments.size() != 1 || trim(caption).empty()) {
+    if (directive.arguments.size() != 1 || trim(caption).empty())
         throw std::invalid_argument{"a live panel is {{live panel: caption}} or {{live 03_chapter/panel: caption}}"};
-    }
     const std::string& reference = directive.arguments.front();
     const std::size_t slash = reference.find('/');
     if (slash == std::string::npos && context.chapter() == nullptr) {
@@ -224,13 +209,9 @@ std::string live_markdown(Context& context, const Directive& directive) {
     const std::string folder = slash == std::string::npos ? context.chapter()->folder : reference.substr(0, slash);
     const std::string name = reference.substr(slash + 1);  // npos + 1 is 0
     const std::string source = "chapters/" + folder + "/live/" + name + ".cpp";
-    if (!std::filesystem::exists(context.root() / source)) {
-        throw std::out_of_range{source + ": there is no such panel"};
-    }
+    if (!std::filesystem::exists(context.root() / source)) throw std::out_of_range{source + ": there is no such panel"};
     const std::string anchor = "live-" + name;
-    if (!context.anchors.insert(anchor).second) {
-        throw std::out_of_range{name + " is shown twice on this page"};
-    }
+    if (!context.anchors.insert(anchor).second) throw std::out_of_range{name + " is shown twice on this page"};
     const std::filesystem::path made = context.runs() / folder / "live";
     const std::filesystem::path still = made / (name + ".svg"), module = made / (name + ".wasm");
     if (!std::filesystem::exists(still) && context.draft) {
@@ -256,9 +237,8 @@ std::string live_markdown(Context& context, const Directive& directive) {
 }
 
 std::string legend_line_markdown(Context& context, const Directive& directive) {
-    if (directive.arguments.size() != 1) {
+    if (directive.arguments.size() != 1)
         throw std::invalid_argument{"{{line passive_gyroscopic}} takes one name out of tools/figures/style.gp"};
-    }
     const std::string& name = directive.arguments[0];
     const std::filesystem::path style = context.root() / "tools/figures/style.gp";
     context.inputs.insert(style);

@@ -31,14 +31,11 @@ Unit* find_unit(Units& units, const std::string& parameter, const std::string& f
     const auto [first, last] = units.equal_range(parameter);
     for (auto row = first; row != last; ++row) {
         bool fits = row->second.in.empty() && found == nullptr;
-        for (const std::string& word : page::split_words(row->second.in)) {
+        for (const std::string& word : page::split_words(row->second.in))
             fits = fits || function.find(word) != std::string::npos;
-        }
         found = fits ? &row->second : found;
     }
-    if (found != nullptr) {
-        found->used = true;
-    }
+    if (found != nullptr) found->used = true;
     return found;
 }
 
@@ -70,9 +67,7 @@ std::string with_units(const std::string& html, Units& units, std::set<std::stri
             continue;
         }
         filled += html.substr(done, end + close.size() - done);
-        if (!unit->unit.empty()) {
-            filled += "<span class=\"unit\">" + page::escape_html(unit->unit) + "</span>";
-        }
+        if (!unit->unit.empty()) filled += "<span class=\"unit\">" + page::escape_html(unit->unit) + "</span>";
         done = end + close.size();
     }
     return filled + html.substr(done);
@@ -88,9 +83,8 @@ std::set<std::string> headers_in(const fs::path& tags) {
         };
         name = inner("name").empty() ? name : inner("name");
         const std::string path = inner("path"), root = "include/timestep/";
-        if (const std::size_t at = path.find(root); at != std::string::npos) {
+        if (const std::size_t at = path.find(root); at != std::string::npos)
             headers.insert("timestep/" + path.substr(at + root.size()) + name);
-        }
     }
     return headers;
 }
@@ -98,13 +92,10 @@ std::set<std::string> headers_in(const fs::path& tags) {
 void hold_groups(const fs::path& file, const fs::path& tags) {
     std::set<std::string> headers = headers_in(tags);
     for (const auto& [cells, line] : page::rows_of(file, 2)) {
-        if (headers.erase(cells[0]) == 0) {
+        if (headers.erase(cells[0]) == 0)
             throw page::Error{file.string(), line, "there is no second header " + cells[0] + ", and perhaps no first"};
-        }
     }
-    if (!headers.empty()) {
-        throw page::Error{file.string(), 1, "has no group for " + *headers.begin()};
-    }
+    if (!headers.empty()) throw page::Error{file.string(), 1, "has no group for " + *headers.begin()};
 }
 
 }  // namespace
@@ -118,25 +109,18 @@ int main(int argc, char** argv) {
         const fs::path site{argv[1]}, folder{argv[3]};
         hold_groups(folder / "groups.tsv", argv[2]);
         Units units;
-        for (const auto& [cells, line] : page::rows_of(folder / "units.tsv", 3)) {
+        for (const auto& [cells, line] : page::rows_of(folder / "units.tsv", 3))
             units.emplace(cells[0], Unit{cells[1], cells[2], line});
-        }
         std::set<std::string> missing;
         for (const auto& entry : fs::directory_iterator{site}) {
             const std::string name = entry.path().filename().string();
             if (name.ends_with(".html") && !name.ends_with("_source.html")) {
                 const std::string html = page::read_file(entry.path()), filled = with_units(html, units, missing);
-                if (filled != html) {
-                    page::write_file(entry.path(), filled);
-                }
+                if (filled != html) page::write_file(entry.path(), filled);
             }
         }
-        for (const std::string& line : missing) {
-            std::cerr << line << "\n";
-        }
-        if (!missing.empty()) {
-            return 2;
-        }
+        for (const std::string& line : missing) std::cerr << line << "\n";
+        if (!missing.empty()) return 2;
         for (const auto& [parameter, unit] : units) {
             if (!unit.used) {
                 throw page::Error{(folder / "units.tsv").string(), unit.line,

@@ -40,16 +40,12 @@ bool parse(int argc, char** argv, Options& options) {
         });
     }
     try {
-        if (!known.parse(argc, argv)) {
-            return false;
-        }
+        if (!known.parse(argc, argv)) return false;
     } catch (const std::invalid_argument& wrong) {
         throw std::invalid_argument{std::string{"page: "} + wrong.what()};
     }
     for (const char* needed : {"--source", "--runs", "--input", "--output"}) {
-        if (options[needed].empty()) {
-            throw std::invalid_argument{std::string{"page: "} + needed + ": is missing"};
-        }
+        if (options[needed].empty()) throw std::invalid_argument{std::string{"page: "} + needed + ": is missing"};
     }
     return true;
 }
@@ -79,9 +75,7 @@ void copy_figures(const page::Context& context, const fs::path& folder) {
 /// What make and ninja read to know when the page is out of date.
 std::string depfile(const std::string& output, const page::Context& context) {
     std::string rule = page::replace_all(output, " ", "\\ ") + ":";
-    for (const fs::path& input : context.inputs) {
-        rule += " \\\n  " + page::replace_all(input.string(), " ", "\\ ");
-    }
+    for (const fs::path& input : context.inputs) rule += " \\\n  " + page::replace_all(input.string(), " ", "\\ ");
     return rule + "\n";
 }
 
@@ -90,24 +84,15 @@ void make_page(Options& options) {
     context.indexes = options["--indexes"];
     context.draft = options["--draft"] == "yes";
     const fs::path input{options["--input"]};
-    if (!options["--chapter"].empty()) {
-        context.set_chapter(options["--chapter"], input);
-    }
+    if (!options["--chapter"].empty()) context.set_chapter(options["--chapter"], input);
     const std::string shown = fs::proximate(input, options["--source"]).generic_string();
     const std::string content = page::fill(context, page::read_file(input), shown);
 
-    if (!options["--figures"].empty()) {
-        copy_figures(context, options["--figures"]);
-    }
-    if (!options["--index"].empty()) {
-        page::write_file(options["--index"], page::index_lines(context.index));
-    }
-    if (!options["--depfile"].empty()) {
-        page::write_file(options["--depfile"], depfile(options["--output"], context));
-    }
-    for (const auto& [name, text] : context.pages) {
+    if (!options["--figures"].empty()) copy_figures(context, options["--figures"]);
+    if (!options["--index"].empty()) page::write_file(options["--index"], page::index_lines(context.index));
+    if (!options["--depfile"].empty()) page::write_file(options["--depfile"], depfile(options["--output"], context));
+    for (const auto& [name, text] : context.pages)
         page::write_file(fs::path{options["--output"]}.replace_filename(name), text);
-    }
     page::write_file(options["--output"], content);
 }
 

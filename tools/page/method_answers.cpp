@@ -32,9 +32,8 @@ std::string link(const Context& context, const std::string& where) {
 }  // namespace
 
 std::string method_answers_markdown(Context& context, const Directive& directive) {
-    if (directive.arguments.empty()) {
+    if (directive.arguments.empty())
         throw std::invalid_argument{"{{which}} takes names of answers, of tools/advise/which_method.hpp"};
-    }
     const bool chapter = context.chapter() != nullptr, alone = chapter && directive.arguments.size() == 1;
     std::string text = chapter && !alone ? "| you have | take |\n|---|---|\n" : "";
     int number = 0;
@@ -44,9 +43,8 @@ std::string method_answers_markdown(Context& context, const Directive& directive
         const std::string take = with_formulas(choice.take);
         const std::string why = with_formulas(choice.why);
         const std::string where = "(" + link(context, choice.where) + ")";
-        if (!chapter && std::islower(static_cast<unsigned char>(have.front())) != 0) {
+        if (!chapter && std::islower(static_cast<unsigned char>(have.front())) != 0)
             have.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(have.front())));
-        }
         if (alone) return "Take " + take + ", for " + have + ". Why: " + why + " " + where + ".";
         text += chapter ? "| " + have + " | " + take + ": " + why + " " + where + " |\n"
                         : std::to_string(++number) + ". " + have + "?<br>→ " + take + " " + where +

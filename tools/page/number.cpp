@@ -15,14 +15,10 @@ constexpr std::string_view narrow_space = "\u202f";
 /// 1234567 as 1 234 567; four digits stay together.
 std::string group_thousands(const std::string& digits, std::string_view space) {
     const std::size_t whole = std::min(digits.find('.'), digits.size());
-    if (whole < 5) {
-        return digits;
-    }
+    if (whole < 5) return digits;
     std::string grouped;
     for (std::size_t i = 0; i < digits.size(); ++i) {
-        if (i > 0 && i < whole && (whole - i) % 3 == 0) {
-            grouped += space;
-        }
+        if (i > 0 && i < whole && (whole - i) % 3 == 0) grouped += space;
         grouped += digits[i];
     }
     return grouped;
@@ -37,9 +33,8 @@ std::string typeset_unit(std::string_view unit) {
             continue;
         }
         set += "<sup>";
-        for (++i; i < unit.size() && (unit[i] == '-' || std::isdigit(static_cast<unsigned char>(unit[i])) != 0); ++i) {
+        for (++i; i < unit.size() && (unit[i] == '-' || std::isdigit(static_cast<unsigned char>(unit[i])) != 0); ++i)
             set += unit[i] == '-' ? std::string{minus} : std::string{unit[i]};
-        }
         --i;
         set += "</sup>";
     }
@@ -53,9 +48,7 @@ std::optional<Parts> parse_number(std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     // Out of range (1e-400, which long double can print) is a number all the same.
     const bool whole = end == text.data() + text.size() && !text.empty();
-    if (!whole || error == std::errc::invalid_argument || value != value) {
-        return std::nullopt;
-    }
+    if (!whole || error == std::errc::invalid_argument || value != value) return std::nullopt;
     Parts parts{};
     parts.negative = text.front() == '-';
     text.remove_prefix(parts.negative ? 1 : 0);
@@ -69,9 +62,7 @@ std::optional<Parts> parse_number(std::string_view text) {
         std::string exponent{text.substr(e + 1)};
         const bool down = exponent.front() == '-';
         exponent.erase(0, exponent.find_first_of("123456789"));
-        if (!exponent.empty()) {
-            parts.exponent = (down ? "-" : "") + exponent;
-        }
+        if (!exponent.empty()) parts.exponent = (down ? "-" : "") + exponent;
     }
     return parts;
 }

@@ -13,13 +13,9 @@ namespace {
 /// Takes away the blanks that every line begins with.
 std::string join_at_margin(const std::vector<std::string>& lines) {
     std::size_t margin = std::string::npos;
-    for (const std::string& line : lines) {
-        margin = std::min(margin, line.find_first_not_of(' '));
-    }
+    for (const std::string& line : lines) margin = std::min(margin, line.find_first_not_of(' '));
     std::string code;
-    for (const std::string& line : lines) {
-        code += (line.size() > margin ? line.substr(margin) : "") + "\n";
-    }
+    for (const std::string& line : lines) code += (line.size() > margin ? line.substr(margin) : "") + "\n";
     return code;
 }
 
@@ -56,13 +52,9 @@ std::string listing(const std::string& code) {
 std::string marker_tag(std::string_view line) {
     line = trim(line);
     const std::size_t comment = line.find_first_not_of("/!#");
-    if (comment == std::string_view::npos || comment == 0) {
-        return {};
-    }
+    if (comment == std::string_view::npos || comment == 0) return {};
     line = trim(line.substr(comment));
-    if (!line.starts_with('[') || !line.ends_with(']') || line.find(']') + 1 != line.size()) {
-        return {};
-    }
+    if (!line.starts_with('[') || !line.ends_with(']') || line.find(']') + 1 != line.size()) return {};
     // An interval or a unit in brackets is a remark, no tag.
     const std::string_view tag = line.substr(1, line.size() - 2);
     const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-' || c == ' '; };
@@ -70,9 +62,7 @@ std::string marker_tag(std::string_view line) {
 }
 
 Snippet quote(const std::filesystem::path& root, const std::string& file, const std::string& tag) {
-    if (!std::filesystem::is_regular_file(root / file)) {
-        throw std::out_of_range{"there is no file " + file};
-    }
+    if (!std::filesystem::is_regular_file(root / file)) throw std::out_of_range{"there is no file " + file};
     if (tag.empty()) return {read_file(root / file), 0};  // all of it
     std::vector<std::string> lines;
     int first_line = 0, line = 0, markers = 0;
@@ -94,12 +84,8 @@ Snippet quote(const std::filesystem::path& root, const std::string& file, const 
         lines.erase(lines.begin());
         ++first_line;
     }
-    while (!lines.empty() && trim(lines.back()).empty()) {
-        lines.pop_back();
-    }
-    if (lines.empty()) {
-        throw std::out_of_range{"nothing stands between the two [" + tag + "] in " + file};
-    }
+    while (!lines.empty() && trim(lines.back()).empty()) lines.pop_back();
+    if (lines.empty()) throw std::out_of_range{"nothing stands between the two [" + tag + "] in " + file};
     return {join_at_margin(lines), first_line};
 }
 
@@ -108,9 +94,7 @@ std::vector<Part> parts_of(const std::string& source, const std::vector<std::str
     std::vector<std::size_t> starts;
     for (const std::string& words : beginnings) {
         std::size_t at = starts.empty() ? 0 : starts.back() + 1;
-        while (at < lines.size() && !trim(lines[at]).starts_with(words)) {
-            ++at;
-        }
+        while (at < lines.size() && !trim(lines[at]).starts_with(words)) ++at;
         if (at == lines.size() || (starts.empty() && at > 0)) {
             const std::string where = starts.empty() ? "the program does not begin with"
                                                      : "the rest of the program has no line that begins with";
@@ -122,9 +106,7 @@ std::vector<Part> parts_of(const std::string& source, const std::vector<std::str
     for (std::size_t i = 0; i < starts.size(); ++i) {
         const std::size_t end = i + 1 < starts.size() ? starts[i + 1] : lines.size();
         Part part{"", static_cast<int>(starts[i]) + 1};
-        for (std::size_t line = starts[i]; line < end; ++line) {
-            part.code += lines[line] + "\n";
-        }
+        for (std::size_t line = starts[i]; line < end; ++line) part.code += lines[line] + "\n";
         parts.push_back(part);
     }
     return parts;
@@ -137,14 +119,11 @@ std::string source_link(const std::string& file, int line, const std::string& te
 }
 
 std::string code_markdown(Context& context, const Directive& directive) {
-    if (directive.arguments.empty()) {
+    if (directive.arguments.empty())
         throw std::invalid_argument{"a quotation is {{code file tag}}, or {{code file}} for all of it"};
-    }
     const std::string& file = directive.arguments.front();
     std::string tag;  // of one or more words
-    for (std::size_t i = 1; i < directive.arguments.size(); ++i) {
-        tag += (i > 1 ? " " : "") + directive.arguments[i];
-    }
+    for (std::size_t i = 1; i < directive.arguments.size(); ++i) tag += (i > 1 ? " " : "") + directive.arguments[i];
     const Snippet snippet = quote(context.root(), file, tag);
     context.inputs.insert(context.root() / file);
     // The site shows C++ sources whole; other files are quoted without a link.
@@ -159,15 +138,13 @@ std::string code_markdown(Context& context, const Directive& directive) {
 }
 
 std::string run_markdown(Context& context, const Directive& directive) {
-    if (context.chapter() == nullptr || !directive.arguments.empty()) {
+    if (context.chapter() == nullptr || !directive.arguments.empty())
         throw std::invalid_argument{"{{run}} or {{run: Heading}} stands on a chapter's page"};
-    }
     std::string name;
     const std::string printed = context.run_of(context.chapter()->folder + "/", name).printed(directive.text);
     const std::size_t first = printed.find_first_not_of('\n');
-    if (first == std::string::npos) {
+    if (first == std::string::npos)
         throw std::out_of_range{"the run of " + context.chapter()->folder + " printed nothing"};
-    }
     const std::string prompt =
         "./course run " + std::to_string(context.chapter()->number) + (directive.text.empty() ? "" : " --study");
     return "\n\\htmlonly[block]<pre class=\"run\" tabindex=\"0\"><span class=\"prompt\">$ " + prompt + "</span>\n" +
@@ -175,15 +152,11 @@ std::string run_markdown(Context& context, const Directive& directive) {
 }
 
 std::string said_markdown(Context& context, const Directive& directive) {
-    if (directive.arguments.size() != 1) {
-        throw std::invalid_argument{"what a program said is {{said file.txt}}"};
-    }
+    if (directive.arguments.size() != 1) throw std::invalid_argument{"what a program said is {{said file.txt}}"};
     std::string file;
     RunData& run = context.run_of(directive.arguments.front(), file);
     const std::string words = run.text(file);
-    if (trim(words).empty()) {
-        throw std::out_of_range{file + " holds no word"};
-    }
+    if (trim(words).empty()) throw std::out_of_range{file + " holds no word"};
     return "\n\\htmlonly[block]<pre class=\"run said\">" + escape_html(words) + "</pre>\\endhtmlonly\n";
 }
 
@@ -202,9 +175,8 @@ std::string program_markdown(Context& context, const Directive& directive) {
 }
 
 std::string compile_markdown(Context& context, const Directive& directive) {
-    if (!directive.arguments.empty() || !directive.text.empty()) {
+    if (!directive.arguments.empty() || !directive.text.empty())
         throw std::invalid_argument{"{{compile}} takes nothing"};
-    }
     for (const std::string& line : split_lines(context.program)) {
         if (const std::string before = "//   c++ "; line.starts_with(before)) {
             std::string command = replace_all("c++ " + line.substr(before.size()), " chapters/", " \\\n    chapters/");

@@ -15,9 +15,7 @@ std::filesystem::path RunData::existing(const std::string& file) const {
     const std::filesystem::path path = folder_ / file;
     if (!std::filesystem::is_regular_file(path)) {
         const std::string words = "the run of " + chapter_ + " left no " + file;
-        if (std::filesystem::exists(folder_ / "done")) {
-            throw std::out_of_range{words};
-        }
+        if (std::filesystem::exists(folder_ / "done")) throw std::out_of_range{words};
         throw NotYet{words};
     }
     return path;
@@ -30,12 +28,9 @@ std::map<std::string, std::vector<std::string>> RunData::records(const std::stri
     int line = 0;
     for (const std::string& text : split_lines(read_file(path))) {
         std::vector<std::string> record = split(text, '\t');
-        if (++line == 1 && record.front() == "name") {
-            continue;
-        }
-        if (record.size() != fields) {
+        if (++line == 1 && record.front() == "name") continue;
+        if (record.size() != fields)
             throw Error{path.string(), line, "must have " + std::to_string(fields) + " fields with tabs between"};
-        }
         const std::string name = record.front();
         record.erase(record.begin());
         found[name] = record;
@@ -45,9 +40,7 @@ std::map<std::string, std::vector<std::string>> RunData::records(const std::stri
 
 const Number& RunData::number(const std::string& name) {
     if (numbers_.empty()) {
-        for (const auto& [key, fields] : records("numbers.tsv", 4)) {
-            numbers_[key] = {fields[0], fields[1], fields[2]};
-        }
+        for (const auto& [key, fields] : records("numbers.tsv", 4)) numbers_[key] = {fields[0], fields[1], fields[2]};
     }
     const auto found = numbers_.find(name);
     if (found == numbers_.end()) {
@@ -60,9 +53,7 @@ const Number& RunData::number(const std::string& name) {
 
 const std::string& RunData::check(const std::string& name) {
     if (checks_.empty()) {
-        for (const auto& [key, fields] : records("checks.tsv", 2)) {
-            checks_[key] = fields[0];
-        }
+        for (const auto& [key, fields] : records("checks.tsv", 2)) checks_[key] = fields[0];
     }
     const auto found = checks_.find(name);
     if (found == checks_.end()) {
@@ -74,14 +65,10 @@ const std::string& RunData::check(const std::string& name) {
 }
 
 std::string RunData::place_of(const std::string& name, const std::string& kind) const {
-    if (!std::filesystem::exists(folder_ / "places.tsv")) {
-        return {};
-    }
+    if (!std::filesystem::exists(folder_ / "places.tsv")) return {};
     for (const std::string& line : split_lines(read_file(folder_ / "places.tsv"))) {
         const std::vector<std::string> cells = split(line, '\t');
-        if (cells.size() == 3 && cells[0] == name && cells[1] == kind) {
-            return cells[2];
-        }
+        if (cells.size() == 3 && cells[0] == name && cells[1] == kind) return cells[2];
     }
     return {};
 }
@@ -100,22 +87,17 @@ Table RunData::table(const std::string& file) const {
         if (++line == 1) {
             table.columns = cells;
         } else if (!text.empty()) {  // a blank line only tells gnuplot to lift its pen
-            if (cells.size() != table.columns.size()) {
+            if (cells.size() != table.columns.size())
                 throw Error{path.string(), line, "has not as many cells as the first line" + written_at(file, "data")};
-            }
             table.rows.push_back(cells);
         }
     }
-    if (table.rows.empty()) {
-        throw Error{path.string(), 1, "is a table without rows" + written_at(file, "data")};
-    }
+    if (table.rows.empty()) throw Error{path.string(), 1, "is a table without rows" + written_at(file, "data")};
     return table;
 }
 
 std::string RunData::printed(const std::string& heading) const {
-    if (heading.empty()) {
-        return read_file(existing("program.txt"));
-    }
+    if (heading.empty()) return read_file(existing("program.txt"));
     const std::string whole = read_file(existing("run.txt"));
     // A heading is a line with dashes below it.
     const std::vector<std::string> lines = split_lines(whole);
@@ -126,16 +108,10 @@ std::string RunData::printed(const std::string& heading) const {
     std::string part;
     bool inside = false;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (is_heading(i)) {
-            inside = lines[i] == heading;
-        }
-        if (inside) {
-            part += lines[i] + "\n";
-        }
+        if (is_heading(i)) inside = lines[i] == heading;
+        if (inside) part += lines[i] + "\n";
     }
-    if (part.empty()) {
-        throw std::out_of_range{"the run of " + chapter_ + " prints no heading \"" + heading + "\""};
-    }
+    if (part.empty()) throw std::out_of_range{"the run of " + chapter_ + " prints no heading \"" + heading + "\""};
     return part;
 }
 

@@ -67,9 +67,7 @@ private:
     /// A fence is a line that begins with three or more backticks or tildes.
     std::size_t fence_length() const {
         const char mark = source_[at_];
-        if (mark != '`' && mark != '~') {
-            return 0;
-        }
+        if (mark != '`' && mark != '~') return 0;
         const std::size_t length = std::min(source_.find_first_not_of(mark, at_), source_.size()) - at_;
         return length >= 3 ? length : 0;
     }
@@ -77,9 +75,7 @@ private:
     std::size_t end_of_fence() const {
         const std::string fence(fence_length(), source_[at_]);
         for (std::size_t line = end_of_line(at_); line < source_.size(); line = end_of_line(line + 1)) {
-            if (source_.substr(line + 1).starts_with(fence)) {
-                return end_of_line(line + 1);
-            }
+            if (source_.substr(line + 1).starts_with(fence)) return end_of_line(line + 1);
         }
         fail(at_, "this code fence has no end");
     }
@@ -92,9 +88,7 @@ private:
     std::size_t end_of_inline_code(std::size_t from) const {
         const std::size_t ticks = std::min(source_.find_first_not_of('`', from), source_.size()) - from;
         const std::size_t end = source_.find(std::string(ticks, '`'), from + ticks);
-        if (end == npos || end > end_of_paragraph(from)) {
-            fail(from, "this inline code has no closing backtick");
-        }
+        if (end == npos || end > end_of_paragraph(from)) fail(from, "this inline code has no closing backtick");
         return end + ticks;
     }
 
@@ -108,9 +102,8 @@ private:
         std::size_t end = from + dollars.size();
         do {
             end = source_.find(dollars, end);
-            if (end == npos || end > end_of_paragraph(from)) {
+            if (end == npos || end > end_of_paragraph(from))
                 fail(from, "this formula has no closing " + std::string{dollars} + " (write \\$ for a dollar)");
-            }
             end += dollars.size();
         } while (source_[end - dollars.size() - 1] == '\\');
         return end;
@@ -129,9 +122,7 @@ private:
             } else if (source_.substr(i).starts_with("}}")) {
                 --depth;
                 i += 2;
-                if (depth == 0) {
-                    return i;
-                }
+                if (depth == 0) return i;
             } else if (source_[i] == '`') {
                 i = end_of_inline_code(i);
             } else if (opens_formula(i)) {
@@ -155,9 +146,7 @@ private:
         std::size_t line = end_of_line(at);
         while (line < source_.size()) {
             const std::size_t next = end_of_line(line + 1);
-            if (trim(source_.substr(line, next - line)).empty()) {
-                return line;
-            }
+            if (trim(source_.substr(line, next - line)).empty()) return line;
             line = next;
         }
         return source_.size();

@@ -30,25 +30,19 @@ std::set<std::string> rows_of_more(const Context& context) {
 
 void check_skeleton(const std::vector<Piece>& pieces, const Chapter& chapter, const std::string& file) {
     for (const Piece& piece : pieces) {
-        if (piece.kind != Piece::Kind::heading) {
-            continue;
-        }
+        if (piece.kind != Piece::Kind::heading) continue;
         const Heading heading = parse_heading(piece.text);
-        if (heading.level == 1 && heading.title != chapter.title) {
+        if (heading.level == 1 && heading.title != chapter.title)
             throw Error{file, piece.line, "the page's title must be that of about.json: " + chapter.title};
-        }
-        if (heading.level == 2 && !heading.id.starts_with(chapter.section_prefix())) {
+        if (heading.level == 2 && !heading.id.starts_with(chapter.section_prefix()))
             throw Error{file, piece.line, "a ## section must have an id that begins {#" + chapter.section_prefix()};
-        }
     }
 }
 
 void check_more(const std::vector<Piece>& pieces, const Chapter& chapter, const std::string& file) {
     bool titled = false;
     for (const Piece& piece : pieces) {
-        if (piece.kind != Piece::Kind::heading) {
-            continue;
-        }
+        if (piece.kind != Piece::Kind::heading) continue;
         const Heading heading = parse_heading(piece.text);
         if (!titled && (heading.level != 1 || heading.id != chapter.id(true))) {
             throw Error{file, piece.line,
@@ -61,9 +55,7 @@ void check_more(const std::vector<Piece>& pieces, const Chapter& chapter, const 
         }
         titled = true;
     }
-    if (!titled) {
-        throw Error{file, 1, "the page has no title, with the id {#" + chapter.id(true) + "}"};
-    }
+    if (!titled) throw Error{file, 1, "the page has no title, with the id {#" + chapter.id(true) + "}"};
 }
 
 void check_complete(const Context& context) {
@@ -73,13 +65,10 @@ void check_complete(const Context& context) {
         const auto found = std::find_if(context.order.begin(), context.order.end(),
                                         [&](const Numbered& each) { return each.figure == name; });
         const bool belongs_here = found == context.order.end() ? !context.is_more() : found->page == context.page();
-        if (belongs_here && context.figures.count(name) == 0 && context.left_out.count(name) == 0) {
+        if (belongs_here && context.figures.count(name) == 0 && context.left_out.count(name) == 0)
             throw Error{chapter.about(), 1, "the page does not show " + figure};
-        }
     }
-    if (context.is_more()) {
-        return;
-    }
+    if (context.is_more()) return;
     const std::set<std::string> beside = rows_of_more(context);
     for (const std::string& row : chapter.claims) {
         const auto teaches = [&](const IndexEntry& entry) { return entry.row == row && entry.kind == "section"; };

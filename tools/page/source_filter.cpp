@@ -18,9 +18,7 @@ namespace {
 std::string group_of(const std::string& file, const std::string& groups) {
     for (const std::string& row : page::split_lines(page::read_file(groups))) {
         const std::vector<std::string> cells = page::split(row, '\t');
-        if (cells.size() == 2 && file.ends_with("/" + cells[0])) {
-            return cells[1];
-        }
+        if (cells.size() == 2 && file.ends_with("/" + cells[0])) return cells[1];
     }
     return {};
 }
@@ -28,19 +26,12 @@ std::string group_of(const std::string& file, const std::string& groups) {
 /// A line of a header below the line `before`, with its group. None more and none less: the documentation tells where
 /// things are defined.
 std::string in_group(const std::string& before, const std::string& line, const std::string& group) {
-    if (line == "#pragma once") {
-        return "/// \\file";
-    }
-    if (line == "/// \\file" && before == "#pragma once") {
-        return "/// \\ingroup " + group;
-    }
+    if (line == "#pragma once") return "/// \\file";
+    if (line == "/// \\file" && before == "#pragma once") return "/// \\ingroup " + group;
     const bool hidden = line.find("detail") != std::string::npos;
-    if (line.starts_with("namespace timestep") && line.ends_with("{") && !hidden) {
+    if (line.starts_with("namespace timestep") && line.ends_with("{") && !hidden)
         return line + " /** \\addtogroup " + group + " */ /** \\{ */";
-    }
-    if (line.starts_with("}  // namespace timestep") && !hidden) {
-        return "/** \\} */ " + line;
-    }
+    if (line.starts_with("}  // namespace timestep") && !hidden) return "/** \\} */ " + line;
     return page::marker_tag(line).empty() ? line : "";
 }
 

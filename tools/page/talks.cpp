@@ -95,23 +95,15 @@ std::string check_link(Context& context, const TalkRow& row, const std::string& 
 std::string evidence_links(Context& context, const Sources& sources, const std::string& row, const Chapter& chapter) {
     std::vector<std::string> links;
     const TalkRow& talk = sources.talks.at(row);
-    for (const std::string& check : talk.checks) {
-        links.push_back(check_link(context, talk, check, chapter));
-    }
+    for (const std::string& check : talk.checks) links.push_back(check_link(context, talk, check, chapter));
     for (const TestPlace& test : sources.tests) {
-        if (test.row == row) {
-            links.push_back(source_link(test.file, test.line, plain_html(test.name)));
-        }
+        if (test.row == row) links.push_back(source_link(test.file, test.line, plain_html(test.name)));
     }
-    if (links.empty()) {
-        return {};
-    }
+    if (links.empty()) return {};
     std::string html = "\\htmlonly" + links.front();
     if (links.size() > 1) {
         html += "<details><summary>and " + std::to_string(links.size() - 1) + " more</summary>";
-        for (std::size_t i = 1; i < links.size(); ++i) {
-            html += (i > 1 ? "<br>" : "") + links[i];
-        }
+        for (std::size_t i = 1; i < links.size(); ++i) html += (i > 1 ? "<br>" : "") + links[i];
         html += "</details>";
     }
     return html + "\\endhtmlonly";
@@ -121,9 +113,7 @@ std::string evidence_links(Context& context, const Sources& sources, const std::
 /// about.json that claims it.
 std::string row_markdown(Context& context, const Sources& sources, const std::string& row, const Chapter& chapter) {
     const auto claim = [&](bool kept, const std::string& lack) {
-        if (!kept) {
-            throw Error{chapter.about(), 1, row + " is claimed, but " + lack};
-        }
+        if (!kept) throw Error{chapter.about(), 1, row + " is claimed, but " + lack};
     };
     const auto found = sources.talks.find(row);
     claim(found != sources.talks.end(), "docs/talks.tsv does not say what the talks show");

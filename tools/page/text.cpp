@@ -11,9 +11,8 @@ std::string read_file(const std::filesystem::path& path) {
     std::ifstream file{path, std::ios::binary};
     std::ostringstream content;
     // Opening a folder succeeds on POSIX; reading it is what fails.
-    if (!file || std::filesystem::is_directory(path) || (content << file.rdbuf(), file.bad())) {
+    if (!file || std::filesystem::is_directory(path) || (content << file.rdbuf(), file.bad()))
         throw Error{path.string(), 1, "cannot be read"};
-    }
     return content.str();
 }
 
@@ -38,22 +37,16 @@ std::vector<std::string> split(std::string_view text, char separator) {
     while (true) {
         const std::size_t end = text.find(separator, start);
         parts.emplace_back(text.substr(start, end - start));
-        if (end == std::string_view::npos) {
-            return parts;
-        }
+        if (end == std::string_view::npos) return parts;
         start = end + 1;
     }
 }
 
 std::vector<std::string> split_lines(std::string_view text) {
     std::vector<std::string> lines = split(text, '\n');
-    if (lines.back().empty()) {
-        lines.pop_back();
-    }
+    if (lines.back().empty()) lines.pop_back();
     for (std::string& line : lines) {
-        if (!line.empty() && line.back() == '\r') {
-            line.pop_back();
-        }
+        if (!line.empty() && line.back() == '\r') line.pop_back();
     }
     return lines;
 }
@@ -61,9 +54,7 @@ std::vector<std::string> split_lines(std::string_view text) {
 std::vector<std::string> split_words(std::string_view text) {
     std::istringstream stream{std::string{text}};
     std::vector<std::string> words;
-    for (std::string word; stream >> word;) {
-        words.push_back(word);
-    }
+    for (std::string word; stream >> word;) words.push_back(word);
     return words;
 }
 
@@ -91,16 +82,13 @@ bool in_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 |
 std::string_view trim(std::string_view text) {
     const char* blanks = " \t\r\n";
     const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) {
-        return {};
-    }
+    if (first == std::string_view::npos) return {};
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
 std::string replace_all(std::string text, std::string_view from, std::string_view to) {
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
         text.replace(at, from.size(), to);
-    }
     return text;
 }
 
@@ -114,9 +102,7 @@ std::string escape_html(std::string_view text) {
 std::string escape_markdown(std::string_view text) {
     std::string escaped;
     for (const char c : text) {
-        if (std::string_view{R"(\@&$#<>%"*_`[]|)"}.find(c) != std::string_view::npos) {
-            escaped += '\\';
-        }
+        if (std::string_view{R"(\@&$#<>%"*_`[]|)"}.find(c) != std::string_view::npos) escaped += '\\';
         escaped += c;
     }
     return escaped;
@@ -131,12 +117,9 @@ std::string base64(std::string_view bytes) {
     std::string text;
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
         unsigned three = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t k = 0; k < 3; ++k)
             three = three << 8u | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-        }
-        for (std::size_t k = 0; k < 4; ++k) {
-            text += i + k <= bytes.size() ? digits[three >> (18 - 6 * k) & 63u] : '=';
-        }
+        for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[three >> (18 - 6 * k) & 63u] : '=';
     }
     return text;
 }

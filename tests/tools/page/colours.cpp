@@ -51,12 +51,10 @@ const std::map<std::string, std::string> methods{{"exact", "exact"},
 
 std::map<std::string, std::string> colours(const std::string& text, std::map<std::string, std::string> known) {
     static const std::regex entry{"(\\w+) *= \"lc rgb '(#[0-9a-f]{6})'"}, derived{"(\\w+) = colour_of\\((\\w+)\\)"};
-    for (std::sregex_iterator each{text.begin(), text.end(), entry}, end; each != end; ++each) {
+    for (std::sregex_iterator each{text.begin(), text.end(), entry}, end; each != end; ++each)
         known[(*each)[1]] = (*each)[2];
-    }
-    for (std::sregex_iterator each{text.begin(), text.end(), derived}, end; each != end; ++each) {
+    for (std::sregex_iterator each{text.begin(), text.end(), derived}, end; each != end; ++each)
         known[(*each)[1]] = known[(*each)[2]];
-    }
     return known;
 }
 
@@ -70,18 +68,14 @@ TEST_CASE("a method has one colour in all figures") {
     int compared = 0;
     for (const char* folder : {"chapters", "engines"}) {
         for (const auto& entry : fs::recursive_directory_iterator{root / folder}) {
-            if (entry.path().extension() != ".gp") {
-                continue;
-            }
+            if (entry.path().extension() != ".gp") continue;
             const std::string text = page::read_file(entry.path());
             const auto here = colours(text, table);
             for (std::sregex_iterator each{text.begin(), text.end(), plot}, end; each != end; ++each) {
                 const auto method = methods.find((*each)[2]);
                 const std::string drawn = (*each)[1];
                 std::smatch found;
-                if (method == methods.end() || !std::regex_search(drawn, found, look)) {
-                    continue;
-                }
+                if (method == methods.end() || !std::regex_search(drawn, found, look)) continue;
                 const auto style = here.find(found[1]);
                 const std::string colour = found[2].matched      ? std::string{found[2]}
                                            : style == here.end() ? ""

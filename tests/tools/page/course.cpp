@@ -112,9 +112,7 @@ std::string Course::read(const std::string& file) const { return page::read_file
 void Course::replace(const std::string& file, const std::string& from, const std::string& to) const {
     std::string content = read(file);
     const std::size_t at = content.find(from);
-    if (at == std::string::npos) {
-        throw std::logic_error{file + " has no " + from};
-    }
+    if (at == std::string::npos) throw std::logic_error{file + " has no " + from};
     write(file, content.replace(at, from.size(), to));
 }
 
@@ -149,14 +147,10 @@ std::string Course::paragraph_error(const std::string& paragraph) const {
 
 Outcome run_command(const std::string& command) {
     std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-    if (pipe == nullptr) {
-        throw std::runtime_error{command + ": cannot be run"};
-    }
+    if (pipe == nullptr) throw std::runtime_error{command + ": cannot be run"};
     Outcome outcome{};
     std::array<char, 512> buffer{};
-    while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) {
-        outcome.words += buffer.data();
-    }
+    while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) outcome.words += buffer.data();
     const int status = pclose(pipe);
     outcome.status = status >= 256 ? status / 256 : status;
     return outcome;

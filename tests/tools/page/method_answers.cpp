@@ -30,9 +30,8 @@ std::vector<std::string> answers_in(const std::string& page) {
     static const std::regex block{"\\{\\{which ([a-z_ ]+)\\}\\}"}, word{"[a-z_]+"};
     for (std::sregex_iterator each{page.begin(), page.end(), block}, end; each != end; ++each) {
         const std::string inner = (*each)[1];
-        for (std::sregex_iterator name{inner.begin(), inner.end(), word}; name != end; ++name) {
+        for (std::sregex_iterator name{inner.begin(), inner.end(), word}; name != end; ++name)
             names.push_back(name->str());
-        }
     }
     return names;
 }
@@ -62,9 +61,7 @@ TEST_CASE("answers to which method stand in a chapter as a table, one alone as a
 TEST_CASE("the page of all answers names each once, in the order of the questions") {
     const std::vector<std::string> named = answers_in(page_of("docs/which_method.md"));
     std::vector<std::string> all;
-    for (const timestep::Choice& each : timestep::choices()) {
-        all.push_back(each.name);
-    }
+    for (const timestep::Choice& each : timestep::choices()) all.push_back(each.name);
     CHECK(named == all);
 }
 

@@ -130,9 +130,8 @@ TEST_CASE("a live panel stands as a picture, and names its module where there is
     CHECK_THAT(course.fill_paragraph("{{live 03_springs/swing: Pull.}}"), ContainsSubstring("live-swing"));
     CHECK_THAT(course.paragraph_error(panel + "\n\n{{live 03_springs/swing: Again.}}"),
                ContainsSubstring("swing is shown twice"));
-    for (const char* wrong : {"{{live swing}}", "{{live swing: }}", "{{live: Pull.}}", "{{live swing N22: Pull.}}"}) {
+    for (const char* wrong : {"{{live swing}}", "{{live swing: }}", "{{live: Pull.}}", "{{live swing N22: Pull.}}"})
         CHECK_THAT(course.paragraph_error(wrong), ContainsSubstring("a live panel is {{live panel: caption}}"));
-    }
 }
 
 TEST_CASE("a question folds its answer") {
@@ -140,9 +139,8 @@ TEST_CASE("a question folds its answer") {
     const std::string page = course.fill_paragraph("{{ask: Is 1 < 2?}}\n\nTo {{amplitude}}.\n\n{{answered}}");
     CHECK_THAT(page, ContainsSubstring("<details class=\"ask\"><summary>Is 1 &lt; 2?</summary><div>\\endhtmlonly"));
     CHECK_THAT(page, ContainsSubstring("\\htmlonly[block]</div></details>"));
-    for (const char* wrong : {"{{answered}}", "{{ask}}", "{{ask: a}}\n\n{{ask: b}}", "{{ask: a}}\n\n{{answered: b}}"}) {
+    for (const char* wrong : {"{{answered}}", "{{ask}}", "{{ask: a}}\n\n{{ask: b}}", "{{ask: a}}\n\n{{answered: b}}"})
         CHECK_THAT(course.paragraph_error(wrong), ContainsSubstring("come by turns"));
-    }
     CHECK_THAT(course.paragraph_error("{{ask: a}}\n\nb"), ContainsSubstring("without its {{answered}}"));
 }
 

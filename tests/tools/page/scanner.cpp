@@ -14,9 +14,7 @@ namespace {
 
 std::vector<Kind> kinds(const std::string& source) {
     std::vector<Kind> found;
-    for (const page::Piece& piece : scan(source, "page.md")) {
-        found.push_back(piece.kind);
-    }
+    for (const page::Piece& piece : scan(source, "page.md")) found.push_back(piece.kind);
     return found;
 }
 

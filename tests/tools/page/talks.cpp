@@ -71,9 +71,8 @@ TEST_CASE("a check of the study is evidence for a row: its statement leads to it
 TEST_CASE("tests are told by their macro at the beginning of a line, and by their tags") {
     const auto rows = [](const std::string& text) {
         std::string found;
-        for (const page::TestPlace& test : page::tagged_tests(text, "a.cpp")) {
+        for (const page::TestPlace& test : page::tagged_tests(text, "a.cpp"))
             found += test.row + " " + test.name + " " + std::to_string(test.line) + "\n";
-        }
         return found;
     };
     CHECK(rows("TEST_CASE(\"a\", \"[N01]\")") == "N01 a 1\n");
