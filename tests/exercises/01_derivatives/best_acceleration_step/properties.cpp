@@ -60,23 +60,6 @@ PROPERTY("the optimal step size is found for the finest tracker and the coarsest
     }
 }
 
-// x = A cos ωt at its crest, with |x⁗| = A ω⁴ and all noise to the worse side. The step is 0.15/ω
-// at the most, so what comes after the leading term is below a thousandth of it.
-PROPERTY("on an oscillation with the worst noise, steps a tenth longer or shorter are worse") {
-    Draw draw;
-    for (int i = 0; i < 50; ++i) {
-        const double a = draw.log(0.05, 5), omega = draw.real(1, 10);
-        const double noise = a * draw.log(1e-7, 1e-5);
-        const auto error = [&](double h) {
-            const double side = a * std::cos(omega * h) + noise, crest = a - noise;
-            return std::fabs((side - 2 * crest + side) / (h * h) + a * omega * omega);
-        };
-        const double h = learner(noise, a * omega * omega * omega * omega);
-        REQUIRE(error(h) < error(1.1 * h));
-        REQUIRE(error(h) < error(h / 1.1));
-    }
-}
-
 PROPERTY("no noise and no snap is too small or too large for it") {
     Draw draw;
     for (int i = 0; i < 240; ++i) {

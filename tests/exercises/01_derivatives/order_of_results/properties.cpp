@@ -60,22 +60,6 @@ PROPERTY("the order does not change when the results are shifted, scaled or mirr
     }
 }
 
-// The slope of eᵃˣ at x: the next terms of the errors bend the measured order by less than a h.
-PROPERTY("forward, central and five-point differences show their orders on a smooth function") {
-    Draw draw;
-    for (int i = 0; i < 20; ++i) {
-        const double a = draw.sign() * draw.real(0.5, 2), x = draw.real(-1, 1);
-        const double h = 0.04 / std::fabs(a);
-        const auto f = [&](double t) { return std::exp(a * t); };
-        const auto forward = [&](double step) { return (f(x + step) - f(x)) / step; };
-        const auto central = [&](double step) { return (f(x + step) - f(x - step)) / (2 * step); };
-        const auto five = [&](double step) { return (4 * central(step) - central(2 * step)) / 3; };
-        REQUIRE(close(learner(forward(h), forward(h / 2), forward(h / 4)), 1, 0, 0.05));
-        REQUIRE(close(learner(central(h), central(h / 2), central(h / 4)), 2, 0, 0.05));
-        REQUIRE(close(learner(five(2 * h), five(h), five(h / 2)), 4, 0, 0.05));
-    }
-}
-
 // Errors down to 1e-8 of the results, in units from a billionth to a billion: the differences have
 // a few digits left, or all where the exact value is zero. In each call the answer must be the
 // order of the three results.

@@ -68,19 +68,6 @@ PROPERTY("the air takes energy both ways, drag times the cube of the speed each 
     }
 }
 
-PROPERTY("in a mirror the lamp does the same, and today as tomorrow") {
-    Draw draw;
-    for (int i = 0; i < 50; ++i) {
-        const State<double> s{draw.real(0, 9), angle_of(draw), draw.real(-5, 5)};
-        const double g = draw.real(1, 25), length = draw.log(0.2, 5), drag = draw.log(0.01, 1);
-        const auto rates = learner(s, g, length, drag);
-        const auto mirrored = learner({s.t + draw.real(-5, 5), -s.x, -s.v}, g, length, drag);
-        const double size = (g + drag * length * length * s.v * s.v) / length;
-        REQUIRE(mirrored[0] == -rates[0]);
-        REQUIRE(close(mirrored[1], -rates[1], 0, 2 * quarter_turn * size));
-    }
-}
-
 // At the ends of a turn, and so near to hanging still that only gravity or only the air is left. In
 // each call both rates must be the right ones.
 PROPERTY(

@@ -43,16 +43,6 @@ PROPERTY("there is one number for each frame, from zero to the cap") {
     }
 }
 
-PROPERTY("frames that are some steps long take just so many, and a frame of no time takes none") {
-    Draw draw;
-    for (int i = 0; i < 30; ++i) {
-        const double step = draw_ticks(draw, i) * unit_of(i);
-        const int most = draw.integer(4, 7), n = draw.integer(2, most - 1);
-        const std::vector<double> frames{step, n * step, 0, step, (n - 1) * step, 0, step};
-        REQUIRE(learner(frames, step, most) == std::vector<int>{1, n, 0, 1, n - 1, 0, 1});
-    }
-}
-
 PROPERTY("frames of a third of a step take one step in every third frame") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
@@ -75,18 +65,6 @@ PROPERTY("below the cap the simulation is never ahead of the clock, and less tha
             behind += frames[k] - steps[k] * step;
             REQUIRE(behind >= 0);
             REQUIRE(behind < step);
-        }
-    }
-}
-
-// A float tells none of these from a whole step, and a tolerance of a nanosecond not the later two.
-PROPERTY("a step that lacks a little of being owed has to wait for the frame that brings it") {
-    Draw draw;
-    for (int i = 0; i < 60; ++i) {
-        for (const double part : {0x1p-28, 0x1p-29, 0x1p-35, 0x1p-36}) {
-            const double step = draw_time(draw, 0.5, 1), most = step - part;
-            const std::vector<double> frames{most, part, most, 0, part};
-            REQUIRE(learner(frames, step, 4) == std::vector<int>{0, 1, 0, 0, 1});
         }
     }
 }
@@ -122,33 +100,6 @@ PROPERTY("to the last bit the simulation is never ahead of the clock, nor behind
     }
 }
 
-PROPERTY("the same time cut into other frames takes the same number of steps in all") {
-    Draw draw;
-    for (int i = 0; i < 30; ++i) {
-        const int ticks = draw_ticks(draw, i);
-        const double step = ticks * unit_of(i);
-        const auto frames = draw_frames(draw, i < 15 ? 4 : 20, 2 * ticks, unit_of(i));
-        std::vector<double> pairs;
-        for (std::size_t k = 0; k < frames.size(); k += 2) pairs.push_back(frames[k] + frames[k + 1]);
-        const auto sum = [](const std::vector<int>& steps) {
-            int all = 0;
-            for (const int n : steps) all += n;
-            return all;
-        };
-        REQUIRE(sum(learner(frames, step, 9)) == sum(learner(pairs, step, 9)));
-    }
-}
-
-PROPERTY("a frame may take as many steps as the cap, and what it owes of the next stays owed") {
-    Draw draw;
-    for (int i = 0; i < 30; ++i) {
-        const int ticks = draw_ticks(draw, i), most = draw.integer(1, i < 15 ? 3 : 6);
-        const double step = ticks * unit_of(i), part = draw.integer(1, ticks - 1) * unit_of(i);
-        const std::vector<double> frames{most * step + part, step - part, most * step, 0};
-        REQUIRE(learner(frames, step, most) == std::vector<int>{most, 1, most, 0});
-    }
-}
-
 // Before the hitch `early` ticks are owed; `hitch` is beyond the cap. Behind it, frames of one tick
 // come: the one that fills up the step takes it. The first hitch is longer: that tells a cap that
 // is off by one from no cap.
@@ -171,19 +122,6 @@ PROPERTY("after a hitch whole steps are dropped, and what is owed of the next st
             owed = (owed + 1) % ticks;
             REQUIRE(steps[k] == (owed == 0 ? 1 : 0));
         }
-    }
-}
-
-// The game was in the background, say: more steps than a short can count.
-PROPERTY("a hitch may last for up to a million steps, and is forgotten but for its remainder") {
-    Draw draw;
-    for (int i = 0; i < 2; ++i) {
-        const int ticks = draw.integer(5, 30), most = draw.integer(1, 6);
-        const int hitch = draw.integer(i == 0 ? 100'000 : 950'000, 999'999);
-        const int part = draw.integer(1, ticks - 1);
-        const double step = ticks * tick;
-        const std::vector<double> frames{hitch * step + part * tick, 0, step - part * tick, 0};
-        REQUIRE(learner(frames, step, most) == std::vector<int>{most, 0, 1, 0});
     }
 }
 

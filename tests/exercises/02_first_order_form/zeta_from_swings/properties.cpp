@@ -35,26 +35,6 @@ PROPERTY("an oscillation with the ratio that comes out shrinks by just what was 
     }
 }
 
-PROPERTY("and so it does when the later peak comes several periods later") {
-    Draw draw;
-    for (int i = 0; i < 60; ++i) {
-        const int swings = static_cast<int>(draw.log(2, 1000));
-        const double first = draw.real(1, 100), part = draw.log(0.005, 0.99);
-        const double zeta = learner(first, part * first, swings);
-        REQUIRE(zeta > 0);
-        REQUIRE(zeta < 1);
-        REQUIRE(close(left(zeta, swings), part, 1e-11));
-    }
-}
-
-PROPERTY("any two peaks of one motion give the same ratio, that of the motion") {
-    Draw draw;
-    for (int i = 0; i < 40; ++i) {
-        const double zeta = draw.log(0.01, 0.7), start = draw.real(1, 100);
-        for (int n = 1; n <= 4; ++n) REQUIRE(close(learner(start, start * left(zeta, n), n), zeta, 1e-11));
-    }
-}
-
 PROPERTY("the unit of the heights and the side of the peaks make no difference") {
     Draw draw;
     for (int i = 0; i < 30; ++i) {

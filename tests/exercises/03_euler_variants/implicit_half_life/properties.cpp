@@ -48,26 +48,6 @@ PROPERTY("for any step, long or short, the factor of a step to the power of the 
     }
 }
 
-// The logarithm of 1 + (ωh)² loses as many digits as (ωh)² is small: ε/(ωh)², here 1e-11.
-PROPERTY("springs of the same omega h take the same number of steps") {
-    Draw draw;
-    for (int i = 0; i < 20; ++i) {
-        const double omega = draw.log(0.1, 10), h = draw.log(0.01, 1) / omega;
-        const double slower = draw.log(0.1, 10);
-        REQUIRE(close(learner(omega / slower, h * slower), slower * learner(omega, h), 1e-11));
-    }
-}
-
-// log(1 + u) = u − u²/2 + …, so the ratio of the two times is 2 (1 − 3(ωh)²/8 + …).
-PROPERTY("with short steps, half the step doubles the time, up to a relative error of (omega h)²") {
-    Draw draw;
-    for (int i = 0; i < 20; ++i) {
-        const double omega = draw.log(0.1, 10), wh = draw.log(0.02, 0.1), h = wh / omega;
-        const double ratio = learner(omega, h / 2) / learner(omega, h);
-        REQUIRE(close((2 - ratio) / (wh * wh), 0.75, 0.02));
-    }
-}
-
 // ln(1 + u) lies between u − u²/2 and u, and the next term is u³/3: below 1e-12 of it for u = 1e-6.
 PROPERTY("where omega h is tiny, no digits are lost") {
     Draw draw;

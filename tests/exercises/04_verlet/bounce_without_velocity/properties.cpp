@@ -45,15 +45,6 @@ PROPERTY("it leaves the floor with the given part of the speed, upwards") {
     }
 }
 
-PROPERTY("a bounce that loses nothing puts the ball as high above the floor as it was below") {
-    Draw draw;
-    for (int i = 0; i < 50; ++i) {
-        const Sunk ball(draw);
-        const double now = learner(ball.before, ball.now, ball.floor, 1)[1];
-        REQUIRE(close(now - ball.floor, ball.floor - ball.now, 0, 1e-13));
-    }
-}
-
 PROPERTY("a ball that does not bounce lies on the floor, and stays there") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {

@@ -89,19 +89,6 @@ PROPERTY("the part across goes round the way a flat body spins, and a long one's
     }
 }
 
-// Rounding: of angles up to 100, and of a time.
-PROPERTY("one flight and then another is one long flight, and back in time is back at the start") {
-    Draw draw;
-    for (int i = 0; i < 100; ++i) {
-        const Top top(draw);
-        const double t = draw.real(-5, 5), more = draw.real(-5, 5);
-        const Vector3d between = top.after(t);
-        const Vector3d later = learner(top.across, top.along, between, more);
-        REQUIRE(close(later, top.after(t + more), 3e-13));
-        REQUIRE(close(learner(top.across, top.along, between, -t), top.omega, 3e-13));
-    }
-}
-
 // A central difference is off by a share (rate dt)²/6, below 2e-7. The rounding of angles up to 50,
 // divided by dt, comes to about 1e-10 of the spin.
 PROPERTY("the spin changes as Euler's equations say, at any time") {
@@ -112,45 +99,6 @@ PROPERTY("the spin changes as Euler's equations say, at any time") {
         const Vector3d change = (top.after(t + dt) - top.after(t - dt)) / (2 * dt);
         const Vector3d euler = acceleration(top, top.after(t));
         REQUIRE(close(change, euler, 1e-6, 1e-9 * top.omega.norm()));
-    }
-}
-
-// Euler's equations say at the start how fast the part across goes round: its acceleration over its
-// length. Rounding: of an angle of up to ten turns.
-PROPERTY("each half of a turn, at the rate of the start, turns the part across exactly round") {
-    Draw draw;
-    for (int i = 0; i < 50; ++i) {
-        Top top = Top::tilted(draw);
-        top.along = top.across * (i % 2 == 0 ? draw.real(1.1, 2) : draw.real(0.05, 0.9));
-        const Vector3d across = across_part(top.omega);
-        const double rate = acceleration(top, top.omega).norm() / across.norm();
-        const int halves = draw.integer(1, 20);
-        const Vector3d later = top.after(draw.sign() * halves * std::numbers::pi / rate);
-        REQUIRE(close(across_part(later), halves % 2 == 0 ? across : Vector3d(-across), 0, 1e-12 * top.omega.norm()));
-    }
-}
-
-// Euler's equations are linear in the part across.
-PROPERTY("a tiny wobble goes round just as a large one does") {
-    Draw draw;
-    for (int i = 0; i < 50; ++i) {
-        const Top top(draw);
-        const double t = draw.real(-5, 5), tiny = draw.log(1e-12, 1e-11);
-        const Vector3d across = across_part(top.omega), along = top.omega - across;
-        const Vector3d later = learner(top.across, top.along, along + tiny * across, t);
-        REQUIRE(close(across_part(later), tiny * across_part(top.after(t)), 1e-12));
-    }
-}
-
-PROPERTY("a nearly round top changes slowly, in proportion to what its moments differ by") {
-    Draw draw;
-    for (int i = 0; i < 50; ++i) {
-        Top top(draw);
-        const double difference = draw.sign() * draw.log(1e-10, 1e-5), t = draw.real(0.5, 5);
-        top.along = top.across * (1 + difference);
-        const Vector3d change = top.after(t) - top.omega;
-        const Vector3d euler = t * acceleration(top, top.omega);
-        REQUIRE(close(change, euler, 1e-3, 1e-13 * top.omega.norm()));
     }
 }
 

@@ -70,20 +70,6 @@ PROPERTY("a ball has no gyroscopic torque: however it spins, only the torque fro
     }
 }
 
-// With a torque, so that the answer is not zero.
-PROPERTY("spin and torque about one of the body's own axes: only the spin about it changes") {
-    Draw draw;
-    for (int i = 0; i < 60; ++i) {
-        Body body(draw);
-        const Vector3d axis = body.axis(i % 3);
-        const double size = draw.sign() * body.torque.norm();
-        body.omega = draw.sign() * body.omega.norm() * axis;
-        body.torque = size * axis;
-        const double roundoff = 1e-13 * body.size() / body.inertia.minCoeff();
-        REQUIRE(close(body.acceleration(), size / body.inertia[i % 3] * axis, 0, roundoff));
-    }
-}
-
 // The energy is half of ω·Iω, and gains L·a.
 PROPERTY("the energy gains just the power of the torque, and a free body keeps its energy") {
     Draw draw;
@@ -107,34 +93,6 @@ PROPERTY("in the world the angular momentum changes at the rate of the torque") 
         const Vector3d gained = body.times_tensor(body.acceleration());
         const Vector3d turned = body.omega.cross(body.times_tensor(body.omega));
         REQUIRE(close(gained + turned, body.torque, 0, 1e-12 * body.size()));
-    }
-}
-
-PROPERTY("what a torque adds does not depend on the spin, and twice the spin adds four times") {
-    Draw draw;
-    for (int i = 0; i < 50; ++i) {
-        const Body body(draw);
-        const Vector3d zero = Vector3d::Zero();
-        const Vector3d pushed = learner(body.inertia, body.q, zero, body.torque);
-        const Vector3d free = learner(body.inertia, body.q, body.omega, zero);
-        const Vector3d twice = learner(body.inertia, body.q, 2 * body.omega, zero);
-        const double roundoff = 1e-12 * body.size() / body.inertia.minCoeff();
-        REQUIRE(close(body.acceleration(), pushed + free, 0, roundoff));
-        REQUIRE(close(twice, 4 * free, 0, 4 * roundoff));
-    }
-}
-
-PROPERTY("turn body, spin and torque, and the answer turns with them") {
-    Draw draw;
-    for (int i = 0; i < 50; ++i) {
-        const Body body(draw);
-        const Quaterniond turn = draw_rotation(draw);
-        Body turned = body;
-        turned.q = turn * body.q;
-        turned.omega = turn * body.omega;
-        turned.torque = turn * body.torque;
-        const double roundoff = 1e-12 * body.size() / body.inertia.minCoeff();
-        REQUIRE(close(turned.acceleration(), turn * body.acceleration(), 0, roundoff));
     }
 }
 

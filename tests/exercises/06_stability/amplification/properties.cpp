@@ -62,16 +62,6 @@ PROPERTY("at the ends of the slider it is what explicit and implicit Euler multi
     }
 }
 
-PROPERTY("a step is explicit Euler for its first part and implicit Euler for the rest") {
-    Draw draw;
-    for (int i = 0; i < 200; ++i) {
-        const double theta = draw.real(0, 1), h = draw_step(draw);
-        const Complex z = draw_z(draw, theta, 1e-6, 1e6);
-        const double first = size((1 - theta) * z, 0, h), rest = size(theta * z, 1, h);
-        REQUIRE(close(size(z, theta, h), first * rest, 0, 4 * allowed(z, theta)));
-    }
-}
-
 PROPERTY("half way, an oscillation without damping keeps its size, and with damping it dies") {
     Draw draw;
     for (int i = 0; i < 60; ++i) {
@@ -97,42 +87,6 @@ PROPERTY("the border between growth and death is a circle through 0 and 2/(2 the
         const double inside = size(at(0.99), theta, h), outside = size(at(1.01), theta, h);
         REQUIRE((theta > 0.5 ? inside > 1 : inside < 1));
         REQUIRE((theta > 0.5 ? outside < 1 : outside > 1));
-    }
-}
-
-// R(z) - e^z is (theta - 1/2) z² at first, and -z³/12 for theta = 1/2.
-PROPERTY("for short steps it nears what the true motion multiplies by, fastest half way") {
-    Draw draw;
-    for (int i = 0; i < 40; ++i) {
-        const double h = draw_step(draw), angle = draw.real(-0.3, 0.3);
-        const Complex z = std::polar(0.04, std::numbers::pi + angle);
-        const double aside = 0.5 + draw.sign() * draw.real(0.2, 0.5);
-        const auto error = [&](double theta, double part) {
-            return std::fabs(size(part * z, theta, h) - std::exp(part * z.real()));
-        };
-        REQUIRE(close(order(error(aside, 1), error(aside, 0.5)), 2, 0, 0.1));
-        REQUIRE(close(order(error(0.5, 1), error(0.5, 0.5)), 3, 0, 0.1));
-    }
-}
-
-PROPERTY("far out it is the same in every direction, the quotient of the two parts of the slider") {
-    Draw draw;
-    for (int i = 0; i < 60; ++i) {
-        const double theta = draw.real(0.1, 1), h = draw_step(draw);
-        const Complex z = std::polar(draw.log(1e5, 1e6), draw.real(-4, 4));
-        // What is left out is 1/(theta z) of it, and 1/(theta |z|).
-        REQUIRE(close(size(z, theta, h) * theta, 1 - theta, 0, 4e-4 / theta));
-    }
-}
-
-PROPERTY("only h times lambda counts, and a motion that turns the other way is multiplied alike") {
-    Draw draw;
-    for (int i = 0; i < 60; ++i) {
-        const double theta = draw.real(0, 1), h = draw_step(draw);
-        const Complex z = draw_z(draw, theta, 1e-6, 1e6);
-        const double one = size(z, theta, h), tolerance = 2 * allowed(z, theta);
-        REQUIRE(close(size(z, theta, draw_step(draw)), one, 0, tolerance));
-        REQUIRE(close(size(std::conj(z), theta, h), one, 0, tolerance));
     }
 }
 

@@ -87,52 +87,6 @@ PROPERTY("within the limits the next step is 0.9 times the one that is off by th
     }
 }
 
-PROPERTY("twice the step needs 2^(order + 1) times the tolerance") {
-    Draw draw;
-    for (int i = 0; i < 60; ++i) {
-        const double whole = draw.real(-5, 5), halves = whole + draw.sign() * draw.real(0.1, 5);
-        const int order = draw.integer(1, 8);
-        // The step is 0.9 times as long with one tolerance, and half of that with the other.
-        const double tolerance = std::fabs(whole - halves) / (std::exp2(order) - 1);
-        const double h = draw_h(draw), longer = learner(whole, halves, h, tolerance, order);
-        const double less = std::ldexp(tolerance, -(order + 1));
-        REQUIRE(close(learner(whole, halves, h, less, order), longer / 2, 1e-12));
-    }
-}
-
-PROPERTY("results in another unit, mirrored, swapped or both farther on, give the same step") {
-    Draw draw;
-    for (int i = 0; i < 60; ++i) {
-        const double h = draw_h(draw);
-        const Motion motion(draw, h * draw.log(0.3, 4));
-        const double whole = motion.whole(h), halves = motion.halves(h), next = motion.next(h);
-        const double tolerance = motion.tolerance, another = draw_tolerance(draw);
-        const double unit = another / tolerance;
-        const int order = motion.order;
-        REQUIRE(close(learner(unit * whole, unit * halves, h, another, order), next, 1e-8));
-        REQUIRE(close(learner(-whole, -halves, h, tolerance, order), next, 1e-12));
-        REQUIRE(close(learner(halves, whole, h, tolerance, order), next, 1e-12));
-        const double on = draw.real(-3, 3) * tolerance;
-        REQUIRE(close(learner(whole + on, halves + on, h, tolerance, order), next, 1e-8));
-        const double other_h = draw_h(draw);
-        const double other_next = learner(whole, halves, other_h, tolerance, order);
-        REQUIRE(close(other_next / other_h, next / h, 1e-12));
-    }
-}
-
-// 0.9 of the right step, from however far: a hundred thousand is seven or eight fives, and the
-// last jump is exact but for the end that is added.
-PROPERTY("from a step far too long or too short, some tries lead to a step that does") {
-    Draw draw;
-    for (int i = 0; i < 30; ++i) {
-        const double right = draw.log(1e-4, 1e1);
-        const Motion motion(draw, right);
-        double h = right * draw.log(1e-4, 1e4);
-        for (int tries = 0; tries < 12; ++tries) h = motion.next(h);
-        REQUIRE(close(h, 0.9 * right, 1e-8));
-    }
-}
-
 PROPERTY("it is right wherever the task allows: results of any size, far apart or nearly equal, any tolerance") {
     Draw draw;
     bool all = true;  // every call is made, also behind a wrong one: they tell mistakes apart

@@ -72,46 +72,6 @@ PROPERTY("for a smaller error the method of higher order is faster, for a larger
     }
 }
 
-PROPERTY("with twice the steps in a run, or any other number, the lines cross where they did") {
-    Draw draw;
-    for (int i = 0; i < 60; ++i) {
-        const Contest contest(draw);
-        const auto [a, p, b, q] = contest;
-        const Run crossing = contest.crossing();
-        const Run twice_a{2 * a[0], std::ldexp(a[1], -p)}, twice_b{2 * b[0], std::ldexp(b[1], -q)};
-        REQUIRE(same(learner(twice_a, p, b, q), crossing, roundoff));
-        REQUIRE(same(learner(a, p, twice_b, q), crossing, roundoff));
-        const Run other_a = at_error(a, p, a[1] * draw.log(0.01, 100));
-        const Run other_b = at_error(b, q, b[1] * draw.log(0.01, 100));
-        REQUIRE(same(learner(other_a, p, other_b, q), crossing, 10 * roundoff));
-    }
-}
-
-// f (E/E')^(1/q) = (E/E')^(1/p)
-PROPERTY("costlier steps of the higher order move the crossing along the line of the other") {
-    Draw draw;
-    for (int i = 0; i < 60; ++i) {
-        const Contest contest(draw);
-        const auto [a, p, b, q] = contest;
-        const double dearer = draw.log(1.1, 10);
-        const double error = contest.crossing()[1] * std::pow(dearer, -1.0 * p * q / (q - p));
-        const Run moved = learner(a, p, {dearer * b[0], b[1]}, q);
-        REQUIRE(same(moved, at_error(a, p, error), roundoff));
-    }
-}
-
-PROPERTY("in milliseconds and centimetres the lines cross at the same place") {
-    Draw draw;
-    for (int i = 0; i < 60; ++i) {
-        const Contest contest(draw);
-        const auto [a, p, b, q] = contest;
-        const auto [seconds, error] = contest.crossing();
-        const double ms = 1000, cm = 100;
-        REQUIRE(same(learner({ms * a[0], a[1]}, p, {ms * b[0], b[1]}, q), {ms * seconds, error}, roundoff));
-        REQUIRE(same(learner({a[0], cm * a[1]}, p, {b[0], cm * b[1]}, q), {seconds, cm * error}, roundoff));
-    }
-}
-
 PROPERTY("it is right wherever the task allows: the least and the largest times and errors, runs nearly alike") {
     Draw draw;
     bool all = true;  // every call is made, also behind a wrong one: they tell mistakes apart

@@ -43,10 +43,6 @@ Rounds disturbed(Draw& draw, const std::array<double, 3>& quiet, int least, int 
 // How many rounds at most: a learner is shown the first that is wrong, and can check few by hand.
 int most(int i) { return i < 20 ? 3 : 25; }
 
-void shuffle(Draw& draw, Rounds& rounds) {
-    for (std::size_t i = rounds.size(); i > 1; --i) std::swap(rounds[i - 1], rounds[draw_place(draw, i)]);
-}
-
 // A solver's own time is 0.002 of what is timed or more: that makes 500 times a time's roundoff.
 // And a ratio found as one plus a difference, be it 0.0004, has some thousand times that.
 constexpr double roundoff = 1e-9;
@@ -60,16 +56,6 @@ PROPERTY("one round is enough where nothing disturbs, and more of them change no
         REQUIRE(close(learner({costs.quiet()}), costs.ratio(), roundoff));
         const Rounds rounds(static_cast<std::size_t>(draw.integer(2, 3)), costs.quiet());
         REQUIRE(close(learner(rounds), costs.ratio(), roundoff));
-    }
-}
-
-PROPERTY("a solver takes as long as itself, also where every round but one is disturbed") {
-    Draw draw;
-    for (int i = 0; i < 40; ++i) {
-        Costs costs(draw);
-        costs.solver[1] = costs.solver[0];
-        REQUIRE(close(learner({costs.quiet()}), 1, roundoff));
-        REQUIRE(close(learner(disturbed(draw, costs.quiet(), 2, most(i))), 1, roundoff));
     }
 }
 
@@ -92,48 +78,6 @@ PROPERTY("where all rounds but one are disturbed, for each another one, the rati
     for (int i = 0; i < 150; ++i) {
         const Costs costs(draw);
         REQUIRE(close(learner(disturbed(draw, costs.quiet(), 2, most(i))), costs.ratio(), roundoff));
-    }
-}
-
-PROPERTY("in another order of the rounds, and with A and B swapped, it is the same measurement") {
-    Draw draw;
-    for (int i = 0; i < 60; ++i) {
-        const Costs costs(draw);
-        Rounds rounds = disturbed(draw, costs.quiet(), 2, most(i));
-        const double ratio = learner(rounds);
-        shuffle(draw, rounds);
-        REQUIRE(close(learner(rounds), ratio, roundoff));
-        for (auto& [a, b, empty] : rounds) std::swap(a, b);
-        REQUIRE(close(learner(rounds) * ratio, 1, roundoff));
-    }
-}
-
-PROPERTY("a slower loop or clock, and other units of time, do not show in the ratio") {
-    Draw draw;
-    for (int i = 0; i < 60; ++i) {
-        const Costs costs(draw);
-        Rounds rounds = disturbed(draw, costs.quiet(), 2, most(i));
-        const double ratio = learner(rounds), more = costs.loop * draw.log(0.1, 10);
-        for (auto& round : rounds)
-            for (double& time : round) time += more;
-        REQUIRE(close(learner(rounds), ratio, roundoff));
-        const double unit = draw.log(1e-2, 30);
-        for (auto& round : rounds)
-            for (double& time : round) time *= unit;
-        REQUIRE(close(learner(rounds), ratio, roundoff));
-    }
-}
-
-PROPERTY("A over B, and B over a third solver, together make A over the third") {
-    Draw draw;
-    for (int i = 0; i < 60; ++i) {
-        const Costs costs(draw);
-        const double third = costs.loop * draw.log(0.02, 50);
-        const auto [a, b, empty] = costs.quiet();
-        const double a_b = learner(disturbed(draw, {a, b, empty}, 2, most(i)));
-        const double b_c = learner(disturbed(draw, {b, empty + third, empty}, 2, most(i)));
-        const double a_c = learner(disturbed(draw, {a, empty + third, empty}, 2, most(i)));
-        REQUIRE(close(a_b * b_c, a_c, roundoff));
     }
 }
 

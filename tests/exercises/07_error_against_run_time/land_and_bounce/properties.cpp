@@ -83,19 +83,6 @@ PROPERTY("after one bounce a ball that was dropped comes back to e^2 of its heig
     }
 }
 
-PROPERTY("until the second bounce the ball has e^2 of its energy, and gravity slows it down") {
-    Draw draw;
-    for (int i = 0; i < 100; ++i) {
-        Ball ball(draw);
-        if (i % 5 == 0) ball.e = 1;
-        const double since = ball.flight() * draw.real(0.02, 0.98);
-        const State<double> s = ball.after(ball.fall() + since);
-        REQUIRE(s.x >= 0);
-        REQUIRE(close(energy(s, ball.g), ball.e * ball.e * ball.energy(), 1e-9));
-        REQUIRE(close(s.v, ball.e * ball.impact() - ball.g * since, 0, 1e-10 * ball.impact()));
-    }
-}
-
 PROPERTY("a ball on the ground that moves down bounces at once, as if it were on its way up") {
     Draw draw;
     for (int i = 0; i < 60; ++i) {
@@ -142,24 +129,6 @@ PROPERTY("when the time of all its bounces is over, the ball lies still") {
     }
 }
 
-// Each bounce rounds the clock, or what is left of the step, once: by half an epsilon of all of it. A thousand bounces
-// take a thousand times as long, too, so their roundoff is a million times that of one flight.
-PROPERTY("with e = 1 nothing is lost: after any number of whole bounces it flies as it did") {
-    constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    Draw draw;
-    for (int i = 0; i < 60; ++i) {
-        Ball ball(draw);
-        ball.e = 1;
-        ball.s.x = draw.log(0.1, 100);
-        const int bounces = i == 1 ? 1000 : draw.integer(1, i % 2 == 0 ? 8 : 1000);
-        const double h = ball.flight() * bounces, off = bounces * epsilon * (ball.s.t + h);
-        const State<double> s = ball.after(h);
-        REQUIRE(close(s.t, ball.s.t + h, 1e-12));
-        REQUIRE(close(s.x, ball.s.x, 0, 1e-10 * ball.energy() / ball.g + ball.impact() * off));
-        REQUIRE(close(s.v, ball.s.v, 0, 1e-10 * ball.impact() + ball.g * off));
-    }
-}
-
 PROPERTY("one step is as good as two, wherever it is cut, with many bounces or none") {
     Draw draw;
     for (int i = 0; i < 150; ++i) {
@@ -171,21 +140,6 @@ PROPERTY("one step is as good as two, wherever it is cut, with many bounces or n
         const State<double> one = ball.after(h), half = on_or_above(ball.after(cut));
         const State<double> two = learner(half, ball.g, ball.e, h - cut);
         REQUIRE(is_at(ball, two, one.t, one.x, one.v, still));
-    }
-}
-
-PROPERTY("at any frame rate the ball is where it is in one long step") {
-    Draw draw;
-    for (int i = 0; i < 15; ++i) {
-        Ball ball(draw);
-        ball.s.x = draw.log(0.1, 10);
-        ball.s.v = draw.real(-5, 5);
-        const int frames = draw.integer(30, 150);
-        const double h = 0.997 / draw.integer(30, 144);  // no frame ends at a bounce
-        State<double> s = ball.s;
-        for (int frame = 0; frame < frames; ++frame) s = on_or_above(learner(s, ball.g, ball.e, h));
-        const State<double> one = ball.after(frames * h);
-        REQUIRE(is_at(ball, s, one.t, one.x, one.v, 10 * still));
     }
 }
 

@@ -49,32 +49,6 @@ PROPERTY("where the error is C h^order, a run with your step is off by what is w
     }
 }
 
-PROPERTY("by way of any other error you come to the same step, and from there back to the first") {
-    Draw draw;
-    for (int i = 0; i < 60; ++i) {
-        // So that no step on the way leaves the range that the task states.
-        const double error = draw.log(1e-9, 1), h = draw.log(1e-3, 1e-2);
-        const double wanted = error * draw.log(1e-3, 1e3), between = error * draw.log(1e-3, 1e3);
-        const int order = draw.integer(1, 4);
-        const double step = learner(error, h, order, wanted);
-        const double halfway = learner(error, h, order, between);
-        REQUIRE(close(learner(between, halfway, order, wanted), step, 1e-11));
-        REQUIRE(close(learner(wanted, step, order, error), h, 1e-11));
-    }
-}
-
-PROPERTY("with errors in millimetres and steps in milliseconds the step is the same") {
-    Draw draw;
-    for (int i = 0; i < 40; ++i) {
-        const double error = draw.log(1e-12, 1), h = draw.log(1e-6, 0.01);
-        const double wanted = draw.log(1e-12, 1);
-        const int order = draw.integer(1, 4);
-        const double step = learner(error, h, order, wanted);
-        REQUIRE(close(learner(1000 * error, h, order, 1000 * wanted), step, 1e-12));
-        REQUIRE(close(learner(error, 1000 * h, order, wanted), 1000 * step, 1e-12));
-    }
-}
-
 // C changes with the step by about the step, which is 0.06 at most.
 PROPERTY("a fall against the wind, run for real, is off by nearly what is wanted") {
     Draw draw;

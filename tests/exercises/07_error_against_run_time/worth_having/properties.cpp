@@ -83,23 +83,6 @@ PROPERTY("what is returned are places in the list, none of them twice, the faste
     }
 }
 
-PROPERTY("where every setting that is slower is more accurate, all of them are worth having") {
-    Draw draw;
-    for (int i = 0; i < 20; ++i) {
-        std::vector<int> places(i == 19 ? 200 : draw_place(draw, 60) + 1);
-        for (std::size_t k = 0; k < places.size(); ++k) places[k] = static_cast<int>(k);
-        for (std::size_t k = places.size(); k > 1; --k) std::swap(places[k - 1], places[draw_place(draw, k)]);
-        const double order = draw.real(1, 4);
-        Points points(places.size());
-        double seconds = draw.log(1e-6, 1e-3);
-        for (const int place : places) {
-            seconds *= draw.is_roundest() ? 2 : draw.real(1.001, 1.01);
-            points[static_cast<std::size_t>(place)] = {seconds, 1e-9 * std::pow(seconds, -order)};
-        }
-        REQUIRE(learner(points) == places);
-    }
-}
-
 PROPERTY("nobody whom you return is beaten by any other setting") {
     Draw draw;
     for (int i = 0; i < 80; ++i) {
@@ -178,21 +161,6 @@ PROPERTY("settings whose time is NaN or infinite are not worth having, and beat 
         const double seconds = draw.sign() > 0 ? not_a_number : infinity;
         REQUIRE(learner({{seconds, error}}).empty());
         REQUIRE(changes_nothing(draw, i, [&] { return Point{seconds, error}; }));
-    }
-}
-
-PROPERTY("a list in another order, or in other units, has the same settings worth having") {
-    Draw draw;
-    for (int i = 0; i < 60; ++i) {
-        Points points = draw_points(draw, i);
-        const Points before = settings(learner(points), points);
-        Points other = points;  // in units that do not round
-        const double second = std::ldexp(1, draw.integer(-9, 9));
-        const double metre = std::ldexp(1, draw.integer(-9, 9));
-        for (auto& [seconds, error] : other) seconds *= second, error *= metre;
-        REQUIRE(learner(other) == learner(points));
-        for (std::size_t k = points.size(); k > 1; --k) std::swap(points[k - 1], points[draw_place(draw, k)]);
-        REQUIRE(settings(learner(points), points) == before);
     }
 }
 

@@ -111,32 +111,6 @@ PROPERTY("the lanes left over are copies of the body that is the last now") {
     }
 }
 
-PROPERTY("it is the same where the last body goes, the one before it, or the only one") {
-    Draw draw;
-    for (int i = 0; i < 80; ++i) {
-        const Bodies bodies = draw_any(draw, i);
-        const int n = bodies.size();
-        REQUIRE(bodies.without(n - 1) == bodies.left(n - 1).packs());
-        if (n > 1) REQUIRE(bodies.without(n - 2) == bodies.left(n - 2).packs());
-        const Bodies one = draw_bodies(draw, 1, draw_width(draw));
-        REQUIRE(one.without(0).empty());
-    }
-}
-
-PROPERTY("bodies may go one after another, until none is left") {
-    Draw draw;
-    for (int i = 0; i < 8; ++i) {
-        Bodies bodies =
-            i == 0 ? few_bodies(draw, 5) : draw_bodies(draw, i == 1 ? 1000 : draw.integer(10, 60), draw_width(draw));
-        for (int round = 0; bodies.size() > 0 && round < 60; ++round) {
-            const int gone = draw.integer(0, bodies.size() - 1);
-            const std::vector<double> packs = bodies.without(gone);
-            bodies = bodies.left(gone);
-            REQUIRE(packs == bodies.packs());
-        }
-    }
-}
-
 PROPERTY("it is right wherever the task allows: each width, each number of bodies about it, and each of them goes") {
     Draw draw;
     bool all = true;  // every call is made, also behind a wrong one: they tell mistakes apart

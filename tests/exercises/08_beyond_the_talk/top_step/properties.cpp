@@ -76,31 +76,6 @@ Top draw_dance(Draw& draw, bool let_go) {
     return {size * moments, draw.sign() * draw.real(0.5, 1) * size, L, draw_direction(draw), 0};
 }
 
-// The top after a time, by many steps of Runge and Kutta.
-Top exact(Top top, double time) {
-    using Six = Eigen::Matrix<double, 6, 1>;
-    const auto slope = [&](const Six& y) -> Six {
-        const Vector3d L = y.head<3>(), up = y.tail<3>(), omega = L.cwiseQuotient(top.inertia);
-        Six rate;
-        rate << L.cross(omega) + top.mgl * up.cross(Vector3d::UnitZ()), up.cross(omega);
-        return rate;
-    };
-    Six y;
-    y << top.L, top.up;
-    const int steps = 1000;
-    const double h = time / steps;
-    for (int i = 0; i < steps; ++i) {
-        const Six k1 = slope(y), k2 = slope(y + h / 2 * k1), k3 = slope(y + h / 2 * k2), k4 = slope(y + h * k3);
-        y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-    }
-    top.L = y.head<3>();
-    top.up = y.tail<3>();
-    return top;
-}
-
-// Of two states of one top.
-double apart(const Top& a, const Top& b) { return (a.L - b.L).norm() / a.inertia.maxCoeff() + (a.up - b.up).norm(); }
-
 }  // namespace
 
 // Up to the energy of a long dance a few digits will do: where mistakes answer alike, single
@@ -151,54 +126,6 @@ PROPERTY("a tilted top that is let go begins to fall: gravity gives it L, and L 
         REQUIRE(close(next.L, Vector3d(top.L + given), 0, t * most));
         REQUIRE(close(next.up, Vector3d(top.up + top.h * top.up.cross(mean)), 0, t * t));
     }
-}
-
-PROPERTY("up keeps its length for any step, and without gravity so does L") {
-    Draw draw;
-    for (int i = 0; i < 100; ++i) {
-        Top top = draw_any(draw, i);
-        REQUIRE(close(top.after().up.norm(), 1, 1e-5));
-        top.mgl = 0;
-        REQUIRE(close(top.after().up.norm(), 1, 1e-5));
-        REQUIRE(close(top.after().L.norm(), top.L.norm(), 1e-5));
-    }
-}
-
-PROPERTY("the angular momentum about the vertical stays for any step") {
-    Draw draw;
-    for (int i = 0; i < 100; ++i) {
-        const Top top = draw_any(draw, i), next = top.after();
-        REQUIRE(close(next.L.dot(next.up), top.L.dot(top.up), 0, 1e-5 * top.size()));
-    }
-}
-
-PROPERTY("a step of h and then a step of -h lead back to the beginning") {
-    Draw draw;
-    for (int i = 0; i < 50; ++i) {
-        const Top top = draw_top(draw, draw.log(0.1, 0.6), draw.log(0.3, 1));
-        const Top back = top.after().after(-top.h);
-        REQUIRE(close(back.L, top.L, 0, 1e-4 * top.size()));
-        REQUIRE(close(back.up, top.up, 1e-4));
-    }
-}
-
-// Of tops together, so that one whose error happens to vanish does not count.
-PROPERTY("half the step leaves a quarter of the error") {
-    Draw draw;
-    double whole = 0, half = 0;
-    for (int i = 0; i < 12; ++i) {
-        const Top begin = draw_dance(draw, i % 3 == 2);
-        const double time = 2;
-        const Top end = exact(begin, time);
-        const auto error = [&](int steps) {
-            Top top = begin;
-            for (int j = 0; j < steps; ++j) top = top.after(time / steps);
-            return apart(top, end);
-        };
-        whole += error(24);
-        half += error(48);
-    }
-    REQUIRE(close(order(whole, half), 2, 0, 0.2));
 }
 
 PROPERTY("the energy of a long dance stays within a twentieth: it oscillates and does not drift") {
