@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// Every way of the course to turn a body that flies freely, for programs and tests that go through
-/// all of them.
+/// Every method of the course for a free body, for programs and tests that go through all of them.
 
 #include <limits>
 
@@ -23,12 +22,13 @@ struct LaggedInertiaSpin {
     static constexpr int order = LaggedInertia::order;        ///< of the error after a whole run
     /// One step of `h` seconds.
     template <class Inertia, class Real>
-    SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s, Real h) const {
+    [[nodiscard]] SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s,
+                                       Real h) const {
         return in_body(step_rotation(lagged_inertia, inertia, in_world(s), h));
     }
 };
 
-/// RungeKutta4, which knows nothing of rotations; after each step its quaternion is scaled back.
+/// RungeKutta4, which treats the quaternion as four numbers; after each step it is scaled back.
 struct RungeKuttaSpin {
     static constexpr const char* name = RungeKutta4::name;  ///< for tables and keys
     static constexpr int order = RungeKutta4::order;        ///< of the error after a whole run
@@ -46,20 +46,20 @@ struct RungeKuttaSpin {
     }
 };
 
-/// What a step computes, whichever the body.
+/// The work of one step, the same for every body.
 struct BodyPrice {
     int torques = 0;   ///< gyroscopic torques
     int solves = 0;    ///< 3×3 equations solved, or a closed form that stands for them
-    int turns = 0;     ///< turns with a sine and a cosine
-    bool told = true;  ///< no: as many as it takes
-    /// All of them; no number where it is not told.
+    int turns = 0;     ///< rotations with a sine and a cosine
+    bool told = true;  ///< false: the work varies from step to step
+    /// The sum of the three; NaN if the work varies.
     double all() const {
         return told ? torques + solves + turns : std::numeric_limits<double>::quiet_NaN();
     }
 };
 
-/// Calls `visit(rule, price)` for each, in the order in which the course meets them. A rule of
-/// chapter 5 gives ω only; the mean of the old and the new one turns the body (Tumble).
+/// Calls `visit(rule, price)` for each method, in the order of the course. The solvers of chapter 5
+/// compute ω only; the mean of the old and the new ω rotates the body (Tumble).
 template <class Visit>
 void for_each_body_solver(const Visit& visit) {
     visit(tumble<ExplicitGyroscopic>, BodyPrice{1, 0, 0});

@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// A throw: what one body, spun in one way and left alone, does by a solver, against its exact
-/// motion.
+/// A throw: the motion of one free body under a solver, compared with its exact motion.
 
 #include <algorithm>
 #include <array>
@@ -17,7 +16,7 @@
 
 namespace timestep {
 
-/// Lengths of frames: all the same, or drawn between two. The same ones for everybody.
+/// Frame times: constant, or drawn between two bounds, in one fixed sequence.
 class Frames {
 public:
     /// From `shortest` to `longest`, s. Throws `std::invalid_argument` unless 0 < shortest ≤
@@ -27,37 +26,37 @@ public:
           longest_(positive("longest frame", longest)) {
         if (shortest > longest) refuse("shortest frame", shortest, "at most the longest");
     }
-    /// The next one, s.
+    /// The next frame time, s.
     double operator()() {
         return shortest_ + (longest_ - shortest_) * (double(random_() >> 11) / 9007199254740992.0);
     }
-    double shortest() const { return shortest_; }        ///< s
-    double longest() const { return longest_; }          ///< s
-    bool even() const { return shortest_ == longest_; }  ///< are all the same?
+    double shortest() const { return shortest_; }        ///< the shortest frame time, s
+    double longest() const { return longest_; }          ///< the longest frame time, s
+    bool even() const { return shortest_ == longest_; }  ///< whether all frame times are equal
 
 private:
     double shortest_, longest_;
     std::mt19937_64 random_{1};
 };
 
-/// Two moments that differ by no more than this share: by passive a spin about the third axis fades
-/// within seconds.
+/// The relative difference below which two moments are nearly equal: under the passive step a spin
+/// about the third axis then fades within seconds.
 inline constexpr double nearly_equal = 0.05;
-/// From so many radians on an orientation is lost: nobody would call it right.
+/// The error of an orientation, rad, from which on it is lost.
 inline constexpr double lost_orientation = 0.5;
-/// Up to so many radians in two seconds an orientation is right: nobody sees the error.
+/// The error of an orientation after two seconds, rad, up to which it is right: too small to see.
 inline constexpr double right_orientation = 1e-4;
 
 /// The two moments that are closest to each other.
 struct ClosestMoments {
     int odd;                      ///< the axis of the third one, 0, 1 or 2
-    double apart;                 ///< by which share of the larger they differ
+    double apart;                 ///< their difference over the larger one
     std::array<double, 3> equal;  ///< the moments with their mean for both, kg m²
-    /// Do they differ by no more than nearly_equal?
+    /// Whether they differ by no more than nearly_equal.
     bool all_but_equal() const { return apart <= nearly_equal; }
 };
 
-/// Which two of the moments are closest.
+/// The two moments that are closest to each other.
 inline ClosestMoments closest_moments(const PrincipalInertia<double>& inertia) {
     ClosestMoments found{0, std::numeric_limits<double>::infinity(), {}};
     const Vector3<double>& I = inertia.moments;
@@ -74,7 +73,7 @@ inline ClosestMoments closest_moments(const PrincipalInertia<double>& inertia) {
 
 /// The axis (0, 1 or 2) if this may be a body of revolution: two moments nearly equal, the third
 /// different. −1 if there is no such axis. If the body is round, its roll about that axis is
-/// invisible; a bar with a flat profile may have such moments, too, and there the roll is seen.
+/// invisible; a bar with a flat profile may have such moments too, and its roll is visible.
 inline int axis_of_revolution(const PrincipalInertia<double>& inertia) {
     const ClosestMoments closest = closest_moments(inertia);
     const Vector3<double>& I = inertia.moments;
@@ -83,20 +82,19 @@ inline int axis_of_revolution(const PrincipalInertia<double>& inertia) {
     return closest.all_but_equal() && is_odd ? closest.odd : -1;
 }
 
-/// What a throw came to. Infinite, or no number, where it blew up.
+/// The result of a throw. Infinite or NaN if it blew up.
 struct Thrown {
-    double seconds = 0;      ///< how long it was watched
-    double energy = 1;       ///< at the end, over that at the start
-    double most_energy = 1;  ///< the most that it ever was
-    double spin_left = 1;  ///< the spin about the axis of the body it was thrown about, at the end
+    double seconds = 0;      ///< simulated time, s
+    double energy = 1;       ///< energy at the end over that at the start
+    double most_energy = 1;  ///< largest energy over that at the start
+    double spin_left = 1;  ///< spin about the axis of the throw at the end, over that at the start
     double off =
         0;  ///< the orientation's largest error in the first two seconds: 2 sin(α/2) of an angle α;
-            ///< no number where the spin is so fast that the exact one is not known
-    double axis_off =
-        0;  ///< the same of the direction of axis_of_revolution(): without the roll about it;
-            ///< no number where there is no such axis, or where `off` is none
-    bool lost = false;  ///< was the axis off by more than lost_orientation or, without an axis, the
-                        ///< orientation?
+            ///< NaN if the spin is so fast that the exact orientation is not known
+    double axis_off = 0;  ///< the largest error of the direction of axis_of_revolution() in these
+                          ///< seconds; NaN if there is no such axis, or if `off` is NaN
+    bool lost = false;  ///< whether the axis (without an axis, the orientation) was off by more
+                        ///< than lost_orientation
 };
 
 /// \cond

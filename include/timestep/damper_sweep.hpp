@@ -88,7 +88,6 @@ public:
         for (std::size_t i = 0; i < dampers_.size(); ++i) take_root(dampers_[i], v, h);
         for (std::size_t i = dampers_.size(); i-- > 0;) take_root(dampers_[i], v, h);
     }
-    /// [sweep]
 
 private:
     /// \cond

@@ -59,6 +59,5 @@ Matrix eigenvectors(Matrix& a) {
             }
     return axes;
 }
-/// [jacobi]
 
 }  // namespace timestep

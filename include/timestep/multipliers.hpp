@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// What a step multiplies the patterns by that it keeps: every eigenvalue of a method's step on a
-/// damped spring (N23).
+/// The multipliers of a step: every eigenvalue of a method's step on a damped spring (N23).
 
 #include <cmath>
 #include <complex>

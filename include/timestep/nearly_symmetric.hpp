@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Two moments that are all but equal: what a game should declare them, and what it loses if it
-/// does not.
+/// Bodies with two nearly equal moments: the step if a game declares the moments equal, and the
+/// loss if it does not.
 
 #include <cmath>
 #include <limits>
@@ -12,16 +12,16 @@
 
 namespace timestep {
 
-/// The passive step of a body whose two closest moments are declared equal, whatever the order of
-/// its axes; the mean of the old and the new ω turns it.
+/// The passive step of a body whose two closest moments are declared equal, in any order of the
+/// axes; the mean of the old and the new ω rotates it.
 class DeclaredEqual {
 public:
     static constexpr const char* name = "declared equal";  ///< for tables and keys
-    /// Of any body.
+    /// Prepares the step of any body.
     explicit DeclaredEqual(const PrincipalInertia<double>& inertia)
         : odd_(closest_moments(inertia).odd), equal_(declared(inertia)) {}
 
-    /// One step of `h` seconds. The inertia has been declared.
+    /// One step of `h` seconds. The inertia is that of the constructor.
     SpinState<double> step(const PrincipalInertia<double>&, const SpinState<double>& s,
                            double h) const {
         const int i = (odd_ + 1) % 3, j = (odd_ + 2) % 3;
@@ -42,9 +42,9 @@ private:
     SymmetricInertia<double> equal_;
 };
 
-/// After how many seconds the passive step has taken half of the spin about the axis of the odd
-/// moment, of a body spun about it at `spin` rad/s and tilted by a hundredth; infinite if it leaves
-/// it so long as we watch, an hour or a million steps.
+/// The time, s, after which the passive step has halved the spin about the axis of the odd moment,
+/// for a body spun about it at `spin` rad/s and tilted by a hundredth. Infinite if that takes
+/// longer than an hour or a million steps.
 TIMESTEP_WHERE_CALLED
 double half_gone_by_passive(const PrincipalInertia<double>& inertia, double spin, Frames frames) {
     const int odd = closest_moments(inertia).odd;

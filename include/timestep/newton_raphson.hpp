@@ -67,6 +67,5 @@ template <class X, class Function, class Jacobian>
     }
     return {x, short_way};
 }
-/// [newton]
 
 }  // namespace timestep

@@ -51,7 +51,6 @@ public:
         for (int n = 0; n < sweeps; ++n)
             for (std::size_t i = 1; i < points_.size(); ++i) put_right(i);
     }
-    /// [step]
 
     /// A point of the rope.
     struct Point {

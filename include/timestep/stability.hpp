@@ -71,6 +71,5 @@ Real largest_stable_step(const Stable& stable, Real longest) {
     }
     return good;
 }
-/// [bisection]
 
 }  // namespace timestep

@@ -23,6 +23,5 @@ Real taylor(std::span<const Real, Extent> derivatives, Real h) {
         sum = derivatives[k] + h / static_cast<Real>(k + 1) * sum;
     return sum;
 }
-/// [series]
 
 }  // namespace timestep

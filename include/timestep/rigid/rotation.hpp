@@ -101,7 +101,6 @@ TIMESTEP_INLINE Quaternion<Real> rotated_in_body(const Quaternion<Real>& q1,
     const Quaternion<Real> cayley(1, v.x(), v.y(), v.z());
     return over_its_length(quaternion_product(q1, cayley));
 }
-/// [in_body]
 
 /// The quaternion of a rotation by |v| rad about v: the exact motion for a constant angular
 /// velocity.
