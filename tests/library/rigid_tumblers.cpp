@@ -100,7 +100,7 @@ TEST_CASE("the half-step Jacobian takes a full matrix as its principal axes", "[
 // y turns about t: y + 2(t × y + t × (t × y))/(1 + t·t). The last term is up to 2|y| long. Thirteen roundings make it,
 // half an ε each on the worst day: four t·t, two the share, one its product with y, and three each cross product with
 // its scale. The energy counts them twice.
-TEMPLATE_TEST_CASE("the Cayley step keeps the energy of any body, for every step", "[library][ch8]", float, double) {
+TEMPLATE_TEST_CASE("the Cayley step keeps the energy of any body, for every step", "[library][ch8]", float) {
     RandomInertia random(3);
     const double eps = std::numeric_limits<TestType>::epsilon();
     double worst = 0;
@@ -189,7 +189,7 @@ TEST_CASE("a step back undoes a step where the page says so", "[library][ch8]") 
     returns(tumble<PassiveGyroscopic>, false), returns(tumble<CayleyGyroscopic>, false);
 }
 
-TEMPLATE_TEST_CASE("no whole-body method makes a NaN of honest input", "[library][ch8]", float, double) {
+TEMPLATE_TEST_CASE("no whole-body method makes a NaN of finite input", "[library][ch8]", float) {
     using Vec = Vector3<TestType>;
     const PrincipalInertia<TestType> bodies[] = {
         {1, 2, 3},

@@ -3,7 +3,6 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -11,7 +10,6 @@
 
 #include <Eigen/Dense>
 
-#include <timestep/measured_order.hpp>
 #include <timestep/models/complex_decay.hpp>
 #include <timestep/run.hpp>
 #include <timestep/stability_function.hpp>
@@ -102,24 +100,6 @@ TEST_CASE("BDF2's R is the larger root, and what a long run grows by", "[stabili
         const Complex growth = number(state.y) / number(before.y);
         CHECK(std::abs(growth / r - 1.0) < 1e-9);
     }
-}
-
-TEST_CASE("R(z) agrees with e^z to the order of the method", "[stability_function][N60]") {
-    for_each_stability_function([](const auto& method) {
-        for (const double angle : {0.3, 1.2, 2.0, 3.0}) {
-            std::vector<double> sizes, errors;
-            for (double size = 0.04; size > 0.004; size /= 1.5) {
-                const Complex z = std::polar(size, angle);
-                sizes.push_back(size);
-                errors.push_back(std::abs(stability_function(method, z) - std::exp(z)));
-            }
-            INFO(method.name);
-            // The error is C zᵖ⁺¹ (1 + c z) with c of about 1: at z = 0.04 the slope is off by 0.04
-            // c. The least error, 0.005⁵/120 = 2.6e-14 for RK4, is known to 2ε, 2 %: over a factor
-            // of 8 in z that turns the slope by 0.01.
-            CHECK(std::fabs(measured_order(sizes, errors) - (method.order + 1)) < 0.1);
-        }
-    });
 }
 
 // R has no pole left of the imaginary axis, so there it is largest on the axis (maximum principle).
