@@ -93,8 +93,8 @@ struct Thrown {
             ///< NaN if the spin is so fast that the exact orientation is not known
     double axis_off = 0;  ///< the largest error of the direction of axis_of_revolution() in these
                           ///< seconds; NaN if there is no such axis, or if `off` is NaN
-    bool lost = false;  ///< whether the axis (without an axis, the orientation) was off by more
-                        ///< than lost_orientation
+    bool lost = false;    ///< whether the axis (without an axis, the orientation) was off by more
+                          ///< than lost_orientation
 };
 
 /// \cond

@@ -2,6 +2,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
+#include <numbers>
 
 #include "advise.hpp"
 #include <timestep/run.hpp>
@@ -110,7 +111,7 @@ TEST_CASE("the predicted period is what a run's zeros show", "[library][I13]") {
             before = s.x;
         });
         const double period = 2 * (last - first) / (zeros - 1);
-        const double exact = 2 * 3.141592653589793 / 30;
+        const double exact = 2 * std::numbers::pi / 30;
         // Each end is within a step of a thousand half swings of two or three steps.
         CHECK(std::abs(period / exact - 1 - of(all, method.name).period_error) < 2e-3);
     };

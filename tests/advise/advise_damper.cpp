@@ -2,6 +2,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
+#include <numbers>
 
 #include "advise_damper.hpp"
 #include <timestep/run.hpp>
@@ -22,7 +23,7 @@ const Advice& of(const std::vector<Advice>& all, const std::string& name) { retu
 // The largest error of the velocity after a throw, until 2π over `rate`.
 template <class Method, class Model>
 double thrown(const Method& method, const Model& model, double rate, double h) {
-    const double fit = std::floor(2 * 3.141592653589793 / (rate * h) * (1 + 1e-12));
+    const double fit = std::floor(2 * std::numbers::pi / (rate * h) * (1 + 1e-12));
     double most = 0;
     long n = 0;
     run(method, model, State<double>{0, 0, 1}, h, fit < 3 ? 8L : long(fit), [&](const auto& s) {

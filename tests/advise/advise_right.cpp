@@ -2,6 +2,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "advise.hpp"
@@ -58,7 +59,7 @@ namespace {
 template <class Method>
 double off(const Method& method, const DampedSpring<double>& spring, double h) {
     const double slow = spring.zeta < 1 ? spring.omega : spring.omega / detail::fast_decay(spring.zeta);
-    const auto fit = static_cast<long>(2 * 3.141592653589793 / (slow * h) * (1 + 1e-12));
+    const auto fit = static_cast<long>(2 * std::numbers::pi / (slow * h) * (1 + 1e-12));
     const State<double> start{0, 1, 0};
     double most = 0;
     long n = 0;

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -178,7 +179,7 @@ TEST_CASE("the modified energy falls by the proof's term in every step, at omega
 // A hub and twelve masses round it, in a plane, each held to its neighbours by springs with a damper beside each. ωh is
 // 0.5, and the wheel turns by 0.2 rad per step. Its most energy in 6000 steps, over the first.
 static double most_energy_of_a_wheel(double damping) {
-    const double pi = 3.141592653589793;
+    const double pi = std::numbers::pi;
     std::vector<Vector2d> x{Vector2d(0, 0)}, v;
     for (int i = 0; i < 12; ++i) x.push_back(Vector2d(std::cos(i * pi / 6), std::sin(i * pi / 6)));
     for (const Vector2d& each : x) v.push_back(0.2 * Vector2d(-each.y(), each.x()));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <Eigen/Core>
 
@@ -162,7 +163,7 @@ TEST_CASE("decay carries its derivative and refuses what is no number", "[librar
 TEMPLATE_TEST_CASE("equal masses and springs swing in sines", "[library]", float, double) {
     using Real = TestType;
     constexpr int n = 4;
-    const Real pi = static_cast<Real>(3.14159265358979323846264338327950288L);
+    const Real pi = std::numbers::pi_v<Real>;
     const auto ones = [](auto vector) { return decltype(vector)(decltype(vector)::Ones()); };
     const CoupledSprings row(ones(Eigen::Matrix<Real, n, 1>()), ones(Eigen::Matrix<Real, n + 1, 1>()));
     // ω_j = 2 sin(jπ / 2(n + 1)), and mode j is sin(ijπ / (n + 1)).

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <stdexcept>
 
@@ -147,7 +148,7 @@ TEST_CASE("it says whether what it returns is a root", "[library]") {
 // Implicit Euler's equation for a pendulum's new velocity. Its angle rounds by ε times its size, which moves the root
 // by that over h: far more than the roundoff of the velocity.
 TEST_CASE("after hundreds of turns of a pendulum Newton-Raphson reports that it has found the root", "[library]") {
-    const double epsilon = std::numeric_limits<double>::epsilon(), h = 1.0 / 60, pi = 3.141592653589793;
+    const double epsilon = std::numeric_limits<double>::epsilon(), h = 1.0 / 60, pi = std::numbers::pi;
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> from(-1, 1);
     for (const double turn : {0.5, 0.9, 1.5}) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -19,7 +20,7 @@ using namespace timestep;
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double pi = 3.141592653589793;
+constexpr double pi = std::numbers::pi;
 
 using Vector = Eigen::Vector2d;
 

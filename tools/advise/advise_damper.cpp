@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "advise_damper.hpp"
 
@@ -56,7 +57,7 @@ void advise_damper(const Question& question, bool json) {
         number(left, "%.4g").c_str(), number(std::exp(-rate), "%.3g").c_str());
     print_table(all);
     line("Off by: the largest error of the velocity, relative to the velocity at the start, up to 2π m/c = " +
-         number(2 * 3.141592653589793 / rate) +
+         number(2 * std::numbers::pi / rate) +
          " s (over eight steps if fewer than three fit). Amplitude: the factor on the velocity per second. "
          "Energy: after a second, over what it should be. "
          "Cost: force evaluations and solves. A solve counts one, even if it is a mere division as with new damping.");

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -75,7 +76,7 @@ std::vector<JudgedDamper> judged_dampers() {
 // The largest error of the velocity, over the first one, until 2π m/c; eight steps where fewer than
 // three fit.
 inline double damper_error(const JudgedDamper& method, double z) {
-    const double fit = std::floor(2 * 3.141592653589793 / z * (1 + 1e-12));
+    const double fit = std::floor(2 * std::numbers::pi / z * (1 + 1e-12));
     const bool two_steps = std::string_view(method.name) == bdf2.name;
     const long double first = method.start(z), factor = method.factor(z);
     long double most = rounded / z;

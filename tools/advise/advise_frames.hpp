@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -107,7 +108,7 @@ inline Growth random_products(const std::vector<StepMatrix<double>>& steps) {
     std::mt19937_64 numbers(18);
     double sum = 0, squares = 0;
     for (int k = 0; k < runs; ++k) {
-        const double angle = 2 * 3.141592653589793 * k / runs;
+        const double angle = 2 * std::numbers::pi * k / runs;
         double x = std::cos(angle), v = std::sin(angle), log_size = 0;
         for (int n = -warm_up; n < count; ++n) {
             if (n == 0) {  // by now it has turned into the direction that grows
@@ -182,7 +183,7 @@ template <class Constant>
 double random_position_error(const MatrixOf& matrix, const Constant& constant, const DampedSpring<long double>& spring,
                              double shortest, double longest) {
     double most = std::max(constant(shortest), constant(longest));
-    const long double end = 2 * 3.14159265358979323846L / std::abs(exact_rate(spring.zeta));
+    const long double end = 2 * std::numbers::pi_v<long double> / std::abs(exact_rate(spring.zeta));
     if (end / shortest > 2000) return most;  // so many frames even out
     std::mt19937_64 numbers(18);
     std::vector<StepMatrix<long double>> steps;

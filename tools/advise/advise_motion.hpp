@@ -9,6 +9,7 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include <timestep/methods/bdf2.hpp>
@@ -72,7 +73,7 @@ inline Motion<4> motion(const Bdf2&, long double zeta, long double s, bool throw
 // slow decay's rate; one at least. Where there are fewer than three we look at eight, so that no
 // chance hit counts.
 inline long long steps_of_first_swing(long double zeta, long double s) {
-    const long double pi = 3.14159265358979323846L;
+    const long double pi = std::numbers::pi_v<long double>;
     const long double steps = std::floor(2 * pi / (s * std::abs(exact_rate(zeta))) * (1 + 1e-12L));
     return steps < 3 ? 8 : static_cast<long long>(steps);
 }
@@ -169,13 +170,15 @@ inline constexpr double hidden_decay = 5.1;
 inline bool thrown_counts(double zeta, double s) {
     const long double exact_zeta = static_cast<long double>(zeta), exact_s = static_cast<long double>(s);
     if (zeta <= hidden_decay || roundoff(exact_zeta, exact_s) >= 1) return false;
-    return exact_s / std::abs(exact_rate(exact_zeta)) <= 2 * 3.14159265358979323846L / 3;  // 1/p is q, as ω is 1
+    return exact_s / std::abs(exact_rate(exact_zeta)) <=
+           2 * std::numbers::pi_v<long double> / 3;  // 1/p is q, as ω is 1
 }
 
 // The largest error of the velocity, over the throw's, until the fast decay is over, 2π/q.
 template <class Method>
 double velocity_error(const Method& method, long double zeta, long double s) {
-    const long double steps = std::floor(2 * 3.14159265358979323846L * std::abs(exact_rate(zeta)) / s * (1 + 1e-12L));
+    const long double steps =
+        std::floor(2 * std::numbers::pi_v<long double> * std::abs(exact_rate(zeta)) / s * (1 + 1e-12L));
     return static_cast<double>(farthest(motion(method, zeta, s, true), DampedSpring<long double>(1, zeta), s,
                                         steps < 3 ? 8 : static_cast<long long>(std::fmin(steps, 1e18L)), true));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "command.hpp"
 #include "advise_table.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 using timestep::Advice;
 
-constexpr double pi = 3.141592653589793;
+constexpr double pi = std::numbers::pi;
 
 // Where the error is looked at.
 std::string span(const timestep::SpringScene& scene) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "advise_frames.hpp"
@@ -88,7 +89,7 @@ struct Stretch {
 // wrong, and within it by bisection.
 inline Stretch first_right(const Judged& method, double zeta, double wanted) {
     const double slow = static_cast<double>(std::abs(exact_rate(zeta)));
-    const double swing = 2 * 3.141592653589793 / slow;
+    const double swing = 2 * std::numbers::pi / slow;
     const auto error = [&](double s) { return error_of(method, zeta, s); };
     const auto good = [&](double s) { return error(s) <= wanted; };
     const auto end_of = [&](double n) { return swing / n; };

@@ -1,6 +1,7 @@
 #pragma once
 // What the parts of chapter 2's program share: its options, and the scenes they describe.
 
+#include <numbers>
 #include <string>
 
 #include <Eigen/Core>
@@ -17,7 +18,7 @@ using timestep::Drag, timestep::Projectile, timestep::Scene;
 using Vector2 = Eigen::Vector2d;
 using Vector3 = Eigen::Vector3d;
 
-inline constexpr double pi = 3.141592653589793;
+inline constexpr double pi = std::numbers::pi;
 inline constexpr double gravity = 9.81;    // m/s²
 inline constexpr double leg = 1;           // m: the character's legs at rest length
 inline constexpr double dip = 0.25;        // m: how far a spring is pulled out before it is let go

@@ -2,6 +2,7 @@
 // What the parts of chapter 4's program share.
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include <timestep/models/spring.hpp>
@@ -9,7 +10,7 @@
 
 #include "lab.hpp"
 
-inline constexpr double pi = 3.141592653589793;
+inline constexpr double pi = std::numbers::pi;
 inline constexpr double eps = 2.220446049250313e-16;
 
 struct Settings {

@@ -2,6 +2,7 @@
 // What the parts of chapter 5's program share.
 
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@
 
 #include "lab.hpp"
 
-inline constexpr double pi = 3.141592653589793;
+inline constexpr double pi = std::numbers::pi;
 
 struct Settings {
     double step = 1.0 / 60;  // s

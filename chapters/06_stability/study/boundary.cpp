@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <numbers>
 #include <vector>
 
 #include <timestep/methods.hpp>
@@ -18,7 +19,7 @@ using namespace timestep;
 
 namespace {
 
-constexpr double pi = 3.141592653589793;
+constexpr double pi = std::numbers::pi;
 
 // R(z) of the spring's two decays, z = ωh (−ζ ± √(ζ² − 1)), is one at most.
 template <class Method>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <numbers>
 
 #include <Eigen/Dense>
 
@@ -15,7 +16,7 @@ using namespace timestep;
 
 namespace {
 
-constexpr double pi = 3.141592653589793, eps = 2.2e-16;
+constexpr double pi = std::numbers::pi, eps = 2.2e-16;
 constexpr int fade = 100, count = 300;  // steps
 
 // What a step multiplies by, measured by stepping ẏ = λy. The scene is linear, so

@@ -3,11 +3,12 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <numbers>
 #include <string>
 
 #include "lab.hpp"
 
-inline constexpr double pi = 3.141592653589793;
+inline constexpr double pi = std::numbers::pi;
 
 // "× 1.5": what is left of something, in two digits, and in plain ones up to a million.
 inline std::string times(double value) {

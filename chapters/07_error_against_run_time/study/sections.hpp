@@ -2,13 +2,14 @@
 // What the parts of chapter 7's program share.
 
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "contest/contest.hpp"
 #include "lab.hpp"
 
-inline constexpr double pi = 3.141592653589793;
+inline constexpr double pi = std::numbers::pi;
 
 using All = std::map<std::string, std::vector<contest::Point>>;  // by the scene's id
 

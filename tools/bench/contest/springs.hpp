@@ -1,13 +1,15 @@
 #pragma once
 // A spring as a scene: all of them have an exact solution.
 
+#include <numbers>
+
 #include "entries.hpp"
 #include "peers.hpp"
 #include "scenes.hpp"
 
 namespace contest {
 
-inline constexpr double hertz = 2 * 3.141592653589793;  // rad/s
+inline constexpr double hertz = 2 * std::numbers::pi;  // rad/s
 
 template <class Model, class X>
 Scene spring_scene(const std::string& id, const std::string& title, double size, const Model& model,
