@@ -95,7 +95,7 @@ class Proofs:
 
     def __init__(self, root):
         self.root = root
-        pages = [file.read_text(encoding="utf-8") for file in [*root.glob("chapters/*/*.md"), *root.glob("docs/**/*.md")]]
+        pages = [file.read_text(encoding="utf-8") for file in [*root.glob("chapters/*/*.md"), *root.glob("docs/**/*.md"), *root.glob("engines/*.md")]]
         self.anchors = set(re.findall(r"\{#(\w+)\}", "\n".join(pages)))
         self.tests = None
 
