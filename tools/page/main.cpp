@@ -88,7 +88,10 @@ void make_page(Options& options) {
     const std::string shown = fs::proximate(input, options["--source"]).generic_string();
     const std::string content = page::fill(context, page::read_file(input), shown);
 
-    if (!options["--figures"].empty()) copy_figures(context, options["--figures"]);
+    if (!options["--figures"].empty()) {
+        copy_figures(context, options["--figures"]);
+        context.inputs.insert(context.root() / "tools/figures/dark.tsv");
+    }
     if (!options["--index"].empty()) page::write_file(options["--index"], page::index_lines(context.index));
     if (!options["--depfile"].empty()) page::write_file(options["--depfile"], depfile(options["--output"], context));
     for (const auto& [name, text] : context.pages)
