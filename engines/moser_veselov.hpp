@@ -47,7 +47,6 @@ struct MoserVeselov {
     // In c = e/e₀, where e₀² = 1/(1 + |c|²), the equation is quadratic. Over Ĩ₁ its first row is
     //     c₁ + a₁c₂c₃ = h/2 L₁/Ĩ₁ (1 + |c|²),  a₁ = (Ĩ₃ − Ĩ₂)/Ĩ₁.
     /// One part: a step that is not cut up, and goes wrong where there is no ρ.
-    /// [step]
     template <class Real>
     static SpinState<Real> whole(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s, Real h) {
         using V = Vector3<Real>;
@@ -73,7 +72,6 @@ struct MoserVeselov {
         const Quaternion<Real> rho = cayley.normalized();
         return {s.t + h, (s.q * rho).normalized(), (rho.conjugate() * L).cwiseQuotient(U)};
     }
-    /// [step]
 
 private:
     // 1/Ĩ = (1 + h²s)/I + h²d, with s and d of what the motion keeps; in U the product is 1.

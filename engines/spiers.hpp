@@ -35,7 +35,6 @@ struct AvianGyroscopic {
     static constexpr int order = 1;                        ///< of the error after a whole run
 
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
-    /// [step]
     template <class Real>
     TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
                                        Real h) const {
@@ -43,7 +42,6 @@ struct AvianGyroscopic {
         const Vector3<Real> turn = h * guess.about;
         return (rotation_by(turn).conjugate() * guess.L).cwiseQuotient(inertia.unit);
     }
-    /// [step]
 };
 
 /// The whole body.

@@ -28,12 +28,10 @@ struct ForwardDifference {
     static constexpr double noise_gain = 2;            ///< noise δ gives this times δ/h
 
     /// The slope of `f` at `x` with step `h`.
-    /// [forward]
     template <class F, std::floating_point Real>
     value_of<F, Real> operator()(const F& f, Real x, Real h) const {
         return (f(x + h) - f(x)) / h;
     }
-    /// [forward]
 };
 
 /// The value now minus the value before, over the step: the forward difference with −h (N07).
@@ -45,12 +43,10 @@ struct BackwardDifference {
     static constexpr double noise_gain = 2;            ///< noise δ gives this times δ/h
 
     /// The slope of `f` at `x` with step `h`.
-    /// [backward]
     template <class F, std::floating_point Real>
     value_of<F, Real> operator()(const F& f, Real x, Real h) const {
         return (f(x) - f(x - h)) / h;
     }
-    /// [backward]
 };
 
 /// One step to either side (N08). Subtracting the Taylor series for f(x − h) from that for
@@ -82,7 +78,6 @@ struct FivePointDifference {
     static constexpr double noise_gain = 18.0 / 12;  ///< noise δ gives this times δ/h
 
     /// The slope of `f` at `x` with step `h`.
-    /// [five_point]
     template <class F, std::floating_point Real>
     value_of<F, Real> operator()(const F& f, Real x, Real h) const {
         const value_of<F, Real> narrow = f(x + h) - f(x - h);
@@ -90,7 +85,6 @@ struct FivePointDifference {
         // four thirds of narrow/(2h) less one third of wide/(4h)
         return (8 * narrow - wide) / (12 * h);
     }
-    /// [five_point]
 };
 
 inline constexpr ForwardDifference forward_difference;       ///< the formula as a value

@@ -74,14 +74,12 @@ struct FirstOrderForm {
     explicit FirstOrderForm(const Model& model_) : model(model_) {}
 
     /// ẏ for y = (x, v). `y` is a fixed-size vector or a piece of one.
-    /// [rate]
     template <class Y>
     auto operator()(real_of<Y> t, const Y& y) const {
         const FirstOrder<detail::Whole<Y>> state{t, y};
         const auto [velocity, acceleration] = rate(model, unstacked(state));
         return detail::stack(velocity, acceleration);
     }
-    /// [rate]
 
     /// ∂f/∂y: in the upper rows the ones of ẋ = v, in the lower rows the slopes of the force.
     template <class Y>

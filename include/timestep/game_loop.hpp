@@ -82,13 +82,11 @@ GameLoop(Real, long) -> GameLoop<Real>;
 
 /// The state to draw: a part `alpha` (0 to 1) of the way from the last state but one to the last.
 /// The picture is one step late and moves evenly at any frame rate.
-/// [interpolate]
 template <class X>
 State<X> interpolate(const State<X>& before, const State<X>& now, real_of<X> alpha) {
     const real_of<X> rest = 1 - alpha;
     return {rest * before.t + alpha * now.t, rest * before.x + alpha * now.x,
             rest * before.v + alpha * now.v};
 }
-/// [interpolate]
 
 }  // namespace timestep

@@ -78,7 +78,6 @@ real_of<X> safe_magnitude(const X& x) {
 /// The x with A x = b by Gauss's elimination, for few equations. In each column the largest
 /// remaining number is the pivot, so no factor exceeds one. (Eigen's solver takes any size, and
 /// seconds to compile.)
-/// [eliminate]
 template <class Matrix, class X>
 X eliminate(Matrix a, X b) {
     constexpr int n = Matrix::RowsAtCompileTime;
@@ -105,7 +104,6 @@ X eliminate(Matrix a, X b) {
     }
     return b;
 }
-/// [eliminate]
 
 /// The x with A x = b: a division, or an elimination. A number A stands for A times the identity.
 template <class A, class X>

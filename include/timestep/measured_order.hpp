@@ -14,7 +14,6 @@ namespace timestep {
 ///
 /// NaN if fewer than two steps have different logarithms, or if a step or an error is not above
 /// zero.
-/// [fit]
 inline double measured_order(const std::vector<double>& steps, const std::vector<double>& errors) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     if (steps.size() != errors.size()) return nan;
@@ -35,6 +34,5 @@ inline double measured_order(const std::vector<double>& steps, const std::vector
     }
     return xy / xx;
 }
-/// [fit]
 
 }  // namespace timestep

@@ -74,7 +74,6 @@ public:
 private:
     // The two ends of a link share the excess; the held point does not move. Two points in one
     // place have no direction and stay.
-    /// [link]
     void put_right(std::size_t i) {
         X& a = points_[i - 1].x;
         X& b = points_[i].x;
@@ -83,7 +82,6 @@ private:
         if (i > 1) a += excess / 2;
         b -= i > 1 ? X(excess / 2) : excess;
     }
-    /// [link]
 
     Projectile<X> gravity_;
     Real link_;

@@ -72,7 +72,6 @@ public:
     explicit Scene(const Parts&... parts) : parts_(parts...) {}
 
     /// The sum of constant forces, per unit of mass.
-    /// [sum]
     auto acceleration() const requires constant {
         return of_parts([](const auto& first, const auto&... more) {
             using X = std::remove_cvref_t<decltype(first.acceleration())>;
@@ -92,7 +91,6 @@ public:
         return of_parts(
             [&](const auto&... part) -> X { return (... + timestep::acceleration(part, x, v)); });
     }
-    /// [sum]
 
     /// ∂a/∂x, 1/s², of a scene whose slope is constant.
     auto slope_x() const requires(constant_slope_x && !constant) {

@@ -29,7 +29,6 @@ struct StepMatrix {
 
 /// The step matrix of a one-step method on a linear scene without a constant force: a step maps the
 /// states (1, 0) and (0, 1) to its columns.
-/// [matrix]
 template <class Method, class Model, class Real>
 requires requires(const Method& m, const Model& f, State<Real> s, Real h) { m.step(f, s, h); }
 StepMatrix<Real> step_matrix(const Method& method, const Model& model, Real h) {
@@ -37,18 +36,15 @@ StepMatrix<Real> step_matrix(const Method& method, const Model& model, Real h) {
     const State<Real> b = method.step(model, State<Real>{0, 0, 1}, h);
     return {a.x, b.x, a.v, b.v};
 }
-/// [matrix]
 
 /// The two roots of the characteristic polynomial λ² − trace λ + determinant = 0. The radicand
 /// (trace/2)² − determinant is multiplied out, so that short steps lose no digits.
-/// [eigenvalues]
 template <class Real>
 std::pair<std::complex<Real>, std::complex<Real>> eigenvalues(const StepMatrix<Real>& a) {
     const Real half = a.trace() / 2, apart = (a.xx - a.vv) / 2;
     const std::complex<Real> root = std::sqrt(std::complex<Real>(apart * apart + a.xv * a.vx));
     return {half + root, half - root};
 }
-/// [eigenvalues]
 
 /// The larger magnitude of the two eigenvalues: the growth per step in the long run.
 template <class Real>

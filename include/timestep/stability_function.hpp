@@ -26,19 +26,13 @@ namespace timestep {
 using Complex = std::complex<double>;
 
 /// Explicit Euler, y₂ = y₁ + h λ y₁: the series of e^z as far as z.
-/// [explicit]
 inline Complex stability_function(const ExplicitEuler&, Complex z) { return 1.0 + z; }
-/// [explicit]
 
 /// Midpoint, y₂ = y₁ + z (y₁ + z/2 y₁): as far as z².
-/// [two stages]
 inline Complex stability_function(const Midpoint&, Complex z) { return 1.0 + z + z * z / 2.0; }
-/// [two stages]
 
 /// Heun, y₂ = y₁ + z/2 (y₁ + (1 + z) y₁): on a linear scene the midpoint method by another way.
-/// [heun]
 inline Complex stability_function(const Heun&, Complex z) { return 1.0 + z + z * z / 2.0; }
-/// [heun]
 
 // Factored, as z³ and z⁴ may both be infinite, with opposite signs.
 /// RK4: as far as z⁴, 1 + z + z²/2 + z³/6 + z⁴/24.
@@ -49,9 +43,7 @@ inline Complex stability_function(const RungeKutta4&, Complex z) {
 /// [four stages]
 
 /// Implicit Euler, y₂ = y₁ + z y₂.
-/// [implicit]
 inline Complex stability_function(const ImplicitEuler&, Complex z) { return 1.0 / (1.0 - z); }
-/// [implicit]
 
 /// Implicit midpoint, y₂ = y₁ + z (y₁ + y₂)/2.
 /// [implicit midpoint]

@@ -13,7 +13,7 @@ import sys
 
 def pages(root):
     """(run of the page or nothing, text) of every page's source."""
-    for file in sorted([*root.glob("chapters/*/*.md"), *root.glob("docs/**/*.md"), *root.glob("docs/**/*.dox")]):
+    for file in sorted([*root.glob("chapters/*/*.md"), *root.glob("docs/**/*.md"), *root.glob("engines/*.md"), *root.glob("docs/**/*.dox")]):
         yield file.parent.name if file.parent.parent.name == "chapters" else "", file.read_text(encoding="utf-8")
 
 
@@ -24,7 +24,7 @@ def used_numbers(root):
         for name in re.findall(r"\{\{(?:where )?((?:\w+/)?\w+?)(?:\.value)?\}\}", text):
             run, _, number = name.rpartition("/")
             used.add((run or own_run, number))
-    plots = {word for file in [*root.glob("chapters/**/*.gp"), *root.glob("docs/**/*.gp")]
+    plots = {word for file in [*root.glob("chapters/**/*.gp"), *root.glob("engines/**/*.gp")]
              for word in re.findall(r"\w+", file.read_text(encoding="utf-8"))}
     return used, plots
 

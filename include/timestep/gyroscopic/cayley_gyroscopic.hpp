@@ -29,7 +29,6 @@ struct CayleyGyroscopic : PassiveIfSymmetric<CayleyGyroscopic> {
     // V (l × ω), and t·t is l_x² V_y V_z and so on round: no root is left. Instead of I the formula
     // has U, the moments whose product is one. Dividing first keeps products from overflowing.
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
-    /// [step]
     template <class Real>
     [[nodiscard]] TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia,
                                                      const Vector3<Real>& omega,
@@ -49,7 +48,6 @@ struct CayleyGyroscopic : PassiveIfSymmetric<CayleyGyroscopic> {
         const Vector3<Real> t_y = V.cwiseProduct(l.cross(part));
         return omega + t_y + V.cwiseProduct(l.cross(t_y));
     }
-    /// [step]
 };
 
 inline constexpr CayleyGyroscopic cayley_gyroscopic;  ///< the method as a value

@@ -75,7 +75,6 @@ private:
     // the plus. On the way d ln h / d ln w = 1 + Σ (aᵢ − yᵢ)/(2yᵢ − aᵢ) is nowhere zero: h rises
     // to infinity and meets each value once. And all other roots with the plus for k lie on the way
     // for h < 0.
-    /// [continuation]
     template <class Real, class Iterated>
     static Vector3<Real> follow(const Vector3<Real>& hg, const Vector3<Real>& y1,
                                 const Iterated& iterated) {
@@ -99,7 +98,6 @@ private:
         }
         return y;
     }
-    /// [continuation]
 
     // The axis that the exact motion circles. The intermediate moment has the largest |g|, as Σg =
     // 0.

@@ -14,7 +14,6 @@ struct ExplicitGyroscopic {
     static constexpr int order = 1;                  ///< of the error after a whole run
 
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
-    /// [step]
     template <class Inertia, class Real>
     [[nodiscard]] TIMESTEP_INLINE Vector3<Real> step(const Inertia& inertia,
                                                      const Vector3<Real>& omega,
@@ -22,7 +21,6 @@ struct ExplicitGyroscopic {
         const Vector3<Real> torque = -omega.cross(inertia.momentum(omega));
         return omega + h * inertia.velocity(torque);
     }
-    /// [step]
 };
 
 inline constexpr ExplicitGyroscopic explicit_gyroscopic;  ///< the method as a value

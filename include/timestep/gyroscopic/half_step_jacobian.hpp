@@ -43,7 +43,6 @@ struct HalfStepJacobian : PassiveIfSymmetric<HalfStepJacobian> {
 
     /// One step of `h` seconds of a body with three moments, each row divided by its own; `omega`
     /// in body coordinates, rad/s.
-    /// [principal]
     template <class Real>
     [[nodiscard]] TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia,
                                                      const Vector3<Real>& omega,
@@ -57,7 +56,6 @@ struct HalfStepJacobian : PassiveIfSymmetric<HalfStepJacobian> {
         const Vector3<Real> column3(a.x() * y, a.y() * x, 1);
         return omega - solve3(column1, column2, column3, residual);
     }
-    /// [principal]
 };
 
 inline constexpr HalfStepJacobian half_step_jacobian;  ///< the method as a value

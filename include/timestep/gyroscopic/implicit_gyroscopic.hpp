@@ -40,7 +40,6 @@ struct ImplicitGyroscopic : InOtherAxes<ImplicitGyroscopic> {
     //                                                   | ha₂ω₃  1     ha₂ω₁ |
     //                                                   | ha₃ω₂  ha₃ω₁  1    |
     /// One step of `h` seconds of a body with three moments; `omega` in body coordinates, rad/s.
-    /// [principal]
     template <class Real>
     [[nodiscard]] TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia,
                                                      const Vector3<Real>& omega,
@@ -53,14 +52,12 @@ struct ImplicitGyroscopic : InOtherAxes<ImplicitGyroscopic> {
         const Vector3<Real> column3(a.x() * y, a.y() * x, 1);
         return omega - solve3(column1, column2, column3, residual);
     }
-    /// [principal]
 
     // The torque of a symmetric body has no component along its axis: ω_z is known, the equations
     // for the other two are linear in them, and one iteration is the solution:
     //     x₂ + θ y₂ = x₁,  y₂ − θ x₂ = y₁  with θ = h (along − across)/across ω_z.
     /// One step of `h` seconds of a body with two equal moments; `omega` in body coordinates,
     /// rad/s.
-    /// [symmetric]
     template <class Real>
     [[nodiscard]] TIMESTEP_INLINE Vector3<Real> step(const SymmetricInertia<Real>& inertia,
                                                      const Vector3<Real>& omega,
@@ -70,7 +67,6 @@ struct ImplicitGyroscopic : InOtherAxes<ImplicitGyroscopic> {
         return {share * (omega.x() - angle * omega.y()), share * (omega.y() + angle * omega.x()),
                 omega.z()};
     }
-    /// [symmetric]
 };
 
 inline constexpr ImplicitGyroscopic implicit_gyroscopic;  ///< the method as a value

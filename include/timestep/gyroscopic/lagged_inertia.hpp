@@ -20,7 +20,6 @@ inline constexpr LaggedInertia lagged_inertia;  ///< the method as a value
 // The state holds ω instead of L: ω = I⁻¹L at its own orientation. So the state's ω is the old
 // momentum over the lagged inertia, and I₂⁻¹L₂ is computed for the next step.
 /// One step of `h` seconds without a torque from outside.
-/// [step]
 template <class Inertia, class Real>
 RigidState<Real> step_rotation(const LaggedInertia&, const Inertia& inertia,
                                const RigidState<Real>& s1, Real h) {
@@ -29,6 +28,5 @@ RigidState<Real> step_rotation(const LaggedInertia&, const Inertia& inertia,
     const Vector3<Real> omega2 = q2 * inertia.velocity(q2.conjugate() * L);
     return {s1.t + h, q2, omega2};
 }
-/// [step]
 
 }  // namespace timestep

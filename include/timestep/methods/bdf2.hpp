@@ -28,7 +28,6 @@ struct Bdf2 {
     }
 
     /// One step of length h, in seconds, on from `state1`; `state0` is h before it.
-    /// [step]
     template <class Model, class X>
     [[nodiscard]] State<X> step(const Model& model, const State<X>& state0, const State<X>& state1,
                                 real_of<X> h) const {
@@ -36,7 +35,6 @@ struct Bdf2 {
                             (4 * state1.x - state0.x) / 3, (4 * state1.v - state0.v) / 3};
         return implicit_euler.step(model, from, 2 * h / 3);
     }
-    /// [step]
 
     /// One step of length h, in seconds, of a first-order system, on from `state1`; `state0` is h
     /// before it.

@@ -23,7 +23,6 @@ struct ConstantAcceleration {
         false;  ///< on a spring: of any two lengths, in either order
 
     /// One step of length h, in seconds.
-    /// [step]
     template <class Model, class X>
     [[nodiscard]] State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
         const auto& [t1, x1, v1] = state1;
@@ -32,7 +31,6 @@ struct ConstantAcceleration {
         const X v2 = v1 + h * a1;
         return {t1 + h, x2, v2};
     }
-    /// [step]
 
     /// Refuses a step whose square is too large for a number.
     template <class Model, class X>

@@ -30,13 +30,11 @@ struct ExplicitEuler {
     /// [step]
 
     /// One step of length h, in seconds, of a first-order system.
-    /// [first order]
     template <class System, class Y>
     [[nodiscard]] FirstOrder<Y> step(const System& f, const FirstOrder<Y>& state1,
                                      real_of<Y> h) const {
         return advance(state1, h, rate(f, state1));
     }
-    /// [first order]
 };
 
 inline constexpr ExplicitEuler explicit_euler;  ///< the method as a value

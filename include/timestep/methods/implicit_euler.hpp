@@ -43,7 +43,6 @@ struct ImplicitEuler {
 
     /// One step of length h, in seconds, of a first-order system, and whether its equation is
     /// solved.
-    /// [first order]
     template <class System, class Y>
     [[nodiscard]] SolvedStep<FirstOrder<Y>> try_step(const System& f, const FirstOrder<Y>& state1,
                                                      real_of<Y> h) const {
@@ -57,7 +56,6 @@ struct ImplicitEuler {
             [&](const Y& y) { return implicit_matrix(h, f.slope_y(t2, y), real_of<Y>(0)); });
         return {{t2, y2}, found};
     }
-    /// [first order]
 
     /// One step of length h, in seconds. If its equation is not solved, the step ends at the
     /// nearest state found; try_step() reports that.

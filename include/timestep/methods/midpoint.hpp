@@ -18,14 +18,12 @@ struct Midpoint {
         true;  ///< on a spring: of any two lengths, in either order
 
     /// One step of length h, in seconds, of a State or a FirstOrder.
-    /// [step]
     template <class Model, class S>
     [[nodiscard]] S step(const Model& f, const S& state1, real_of<S> h) const {
         const auto k1 = rate(f, state1);
         const auto k2 = rate(f, advance(state1, h / 2, k1));
         return advance(state1, h, k2);
     }
-    /// [step]
 };
 
 inline constexpr Midpoint midpoint;  ///< the method as a value

@@ -19,7 +19,6 @@ struct RungeKutta4 {
         true;  ///< on a spring: of any two lengths, in either order
 
     /// One step of length h, in seconds, of a State or a FirstOrder.
-    /// [step]
     template <class Model, class S>
     [[nodiscard]] S step(const Model& f, const S& state1, real_of<S> h) const {
         // Each rate is added with Simpson's weight as soon as it is known: no sum waits for the
@@ -34,7 +33,6 @@ struct RungeKutta4 {
         state2.t = state1.t + h;  // exactly, where a sum of parts would round
         return state2;
     }
-    /// [step]
 };
 
 inline constexpr RungeKutta4 runge_kutta_4;  ///< the method as a value

@@ -52,7 +52,6 @@ struct Verlet {
 
     /// A step of length `h2` after one of `h1`, both in seconds, by the usual repair: the last
     /// displacement is scaled to the new step. Order one when the step keeps changing (I10).
-    /// [scaled]
     template <class Model, class X>
     [[nodiscard]] State<X> scaled_step(const Model& model, const State<X>& state0,
                                        const State<X>& state1, real_of<X> h1, real_of<X> h2) const {
@@ -62,7 +61,6 @@ struct Verlet {
         const X x2 = x1 + drift + h2 * h2 * a1;
         return {state1.t + h2, x2, (x2 - x1) / h2 + h2 / 2 * a1};
     }
-    /// [scaled]
 
     // (x₁ − x₀)/h₁ is the velocity h₁/2 before x₁, and (x₂ − x₁)/h₂ the velocity h₂/2 after it. The
     // force acts for the time between the two, (h₁ + h₂)/2.

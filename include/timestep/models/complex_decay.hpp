@@ -24,13 +24,11 @@ struct ComplexDecay {
                  finite("imaginary part of lambda", lambda_.imag())) {}
 
     /// f(t, y) = λ y, for a vector of two numbers.
-    /// [model]
     template <class Y>
     Y operator()(real_of<Y> /* t */, const Y& y) const {
         const Real a = lambda.real(), b = lambda.imag();
         return Y(a * y[0] - b * y[1], b * y[0] + a * y[1]);
     }
-    /// [model]
 
     /// ∂f/∂y, 1/s: the matrix with rows (a, −b) and (b, a).
     template <class Y>

@@ -53,12 +53,10 @@ public:
     }
 
     /// The accelerations −M⁻¹ K x, m/s².
-    /// [model]
     template <class X>
     X acceleration(const X& x) const {
         return times(slope_x_, x);
     }
-    /// [model]
 
     /// ∂a/∂x = −M⁻¹ K, 1/s².
     const Matrix& slope_x() const { return slope_x_; }
@@ -69,7 +67,6 @@ public:
     const Matrix& modes() const { return from_modes_; }
 
     /// The exact state `t` seconds after `start`: each mode is a spring.
-    /// [exact]
     template <class X>
     State<X> exact(const State<X>& start, real_of<X> t) const {
         using Number = real_of<X>;
@@ -84,7 +81,6 @@ public:
         return {start.t + t, from_modes_.template cast<Number>() * x,
                 from_modes_.template cast<Number>() * v};
     }
-    /// [exact]
 
 private:
     // With y = M^½ x the equation becomes ÿ = −S y, where S = M^−½ K M^−½ is symmetric: it has N
@@ -93,7 +89,6 @@ private:
     //
     // Roundoff leaves some ε of the largest ω² where ω² is zero. A row swings at frequency zero in
     // as many modes as it has pieces that no spring ties to a wall; so many are zero exactly.
-    /// [modes]
     void find_modes(const Vector& masses, const Matrix& stiffness, int zeros) {
         const Vector root = masses.cwiseSqrt();
         const Vector over_root = root.cwiseInverse();
@@ -104,7 +99,6 @@ private:
         to_modes_ = q.transpose() * root.asDiagonal();
         from_modes_ = over_root.asDiagonal() * q;
     }
-    /// [modes]
 
     // A piece goes from one spring of stiffness zero to the next.
     static int free_pieces(const Eigen::Matrix<Real, N + 1, 1>& stiffnesses) {

@@ -49,12 +49,10 @@ struct DampedSpring {
     }
 
     /// The acceleration −ω² x − 2ζω v, m/s².
-    /// [model]
     template <class X>
     constexpr X acceleration(const X& x, const X& v) const {
         return -omega * omega * x - 2 * zeta * omega * v;
     }
-    /// [model]
 
     constexpr Real slope_x() const { return -omega * omega; }     ///< ∂a/∂x, 1/s²
     constexpr Real slope_v() const { return -2 * zeta * omega; }  ///< ∂a/∂v, 1/s
@@ -69,7 +67,6 @@ private:
     // ζ < 1. With γ = ζω and β = ω√(1 − ζ²), e^(−γt) cos βt and e^(−γt) sin βt solve the equation.
     // The start x₀, v₀ picks the constants: x = e^(−γt) (x₀ cos βt + (v₀ + γx₀) sin βt / β).
     // Written as (1 − ζ)(1 + ζ), 1 − ζ² loses no digits near ζ = 1, and sin βt / β tends to t.
-    /// [swinging]
     template <class X>
     State<X> swinging(const State<X>& start, real_of<X> t) const {
         using std::cos, std::exp, std::sin, std::sqrt;
@@ -84,7 +81,6 @@ private:
         const X v = (c - gamma_s) * start.v - pull * start.x;
         return {start.t + t, x, v};
     }
-    /// [swinging]
 
     // ζ ≥ 1. Two exponentials e^(−pt) and e^(−qt) solve the equation: p, q = ω (ζ ∓ √(ζ² − 1)).
     // The slow one is written p = ω / (ζ + √(ζ² − 1)), since pq = ω²: nothing cancels for large ζ.

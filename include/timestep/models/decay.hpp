@@ -18,12 +18,10 @@ struct Decay {
     explicit Decay(Real lambda_) : lambda(finite("lambda", lambda_)) {}
 
     /// f(t, y) = λ y.
-    /// [model]
     template <class Y>
     Y operator()(real_of<Y> /* t */, const Y& y) const {
         return lambda * y;
     }
-    /// [model]
 
     /// ∂f/∂y = λ, 1/s.
     template <class Y>

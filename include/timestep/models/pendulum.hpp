@@ -23,11 +23,9 @@ struct Pendulum {
     }
 
     /// The angular acceleration −ω² sin x, rad/s².
-    /// [model]
     Real acceleration(Real x) const { return -omega * omega * std::sin(x); }
     /// ∂a/∂x = −ω² cos x, 1/s², for implicit methods.
     Real slope_x(Real x) const { return -omega * omega * std::cos(x); }
-    /// [model]
 
     /// Energy over m l², 1/s²: kinetic ½v² and potential ω²(1 − cos x), zero at rest.
     Real energy(const State<Real>& s) const {

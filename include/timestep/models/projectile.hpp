@@ -19,9 +19,7 @@ struct Projectile {
     }
 
     /// Gravity, m/s²: a constant.
-    /// [model]
     X acceleration() const { return gravity; }
-    /// [model]
 
     /// The exact state `t` seconds after `start`: y₀ + v₀ t + ½ a t², a parabola.
     State<X> exact(const State<X>& start, real_of<X> t) const {

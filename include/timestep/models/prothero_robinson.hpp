@@ -19,9 +19,7 @@ struct ProtheroRobinson {
     explicit ProtheroRobinson(Real lambda_) : lambda(finite("lambda", lambda_)) {}
 
     /// The rate λ(y − cos t) − sin t.
-    /// [model]
     Real operator()(Real t, Real y) const { return lambda * (y - std::cos(t)) - std::sin(t); }
-    /// [model]
 
     /// ∂f/∂y = λ, 1/s.
     Real slope_y(Real /* t */, Real /* y */) const { return lambda; }

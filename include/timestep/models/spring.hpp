@@ -43,12 +43,10 @@ struct Spring {
     }
 
     /// The acceleration −ω² x, m/s².
-    /// [model]
     template <class X>
     constexpr X acceleration(const X& x) const {
         return -omega * omega * x;
     }
-    /// [model]
 
     /// ∂a/∂x = −ω², 1/s², a constant.
     constexpr Real slope_x() const { return -omega * omega; }
@@ -62,7 +60,6 @@ struct Spring {
             return (dot(s.v, s.v) + omega * omega * dot(s.x, s.x)) / 2;
     }
 
-    /// [exact]
     /// The exact state `t` seconds after `start`: x₀ cos ωt + (v₀/ω) sin ωt and its derivative. The
     /// result has the number type of the state, which may differ from the spring's.
     template <class X>
@@ -74,7 +71,6 @@ struct Spring {
         const auto omega_s = real_of<X>(omega * s);
         return {start.t + t, c * start.x + s_over_omega * start.v, c * start.v - omega_s * start.x};
     }
-    /// [exact]
 };
 
 }  // namespace timestep

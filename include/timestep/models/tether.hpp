@@ -28,12 +28,10 @@ struct Tether {
     // With the direction u = x / |x| of the tether, (|x| − L) u = x − L u is the stretch. At the
     // origin the tether has no direction, and exerts no force.
     /// The acceleration −ω² (x − L u), m/s².
-    /// [model]
     template <class X>
     X acceleration(const X& x) const {
         return -omega * omega * (x - length * direction(x));
     }
-    /// [model]
 
     /// ∂a/∂x = −ω² (1 − L/|x| (1 − u uᵀ)), 1/s²: along the tether that of a spring. Across it,
     /// L/|x| grows without limit towards the origin; where it overflows, it counts as 0.

@@ -21,11 +21,9 @@ struct VanDerPol {
     explicit VanDerPol(Real mu_) : mu(positive("mu", mu_)) {}
 
     /// The rates of y₁ and y₂.
-    /// [model]
     Vector operator()(Real /* t */, const Vector& y) const {
         return {y[1], mu * ((1 - y[0] * y[0]) * y[1] - y[0])};
     }
-    /// [model]
 
     /// ∂f/∂y, the derivatives of the rates.
     Matrix slope_y(Real /* t */, const Vector& y) const {

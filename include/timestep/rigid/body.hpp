@@ -103,7 +103,6 @@ TIMESTEP_INLINE Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver,
 }
 
 /// One step of `h` seconds of a body without an external torque.
-/// [free]
 template <class Gyroscopic, class Inertia, class Real>
 [[nodiscard]] RigidState<Real> step_rotation(const Gyroscopic& solver, const Inertia& inertia,
                                              const RigidState<Real>& s1, Real h) {
@@ -113,7 +112,6 @@ template <class Gyroscopic, class Inertia, class Real>
     const Vector3<Real> omega2 = after_gyroscopic_torque(solver, inertia, s1.q, s1.omega, h);
     return {s1.t + h, rotated(s1.q, omega2, h), omega2};
 }
-/// [free]
 
 // Torques add, so each may be treated in its own way (N46): ω changes by I⁻¹T h for the external
 // torque, explicitly, and then by the gyroscopic torque, as the solver treats it. Treating them one

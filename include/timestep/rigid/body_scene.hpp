@@ -27,7 +27,6 @@ struct BodyState {
 /// 1/m and r²/I, by which the ground divides, neither overflow nor vanish. Throws
 /// `std::invalid_argument` otherwise. Steps check nothing: if you step a body without `Bodies`,
 /// call this once.
-/// [checked]
 template <class Body>
 const Body& checked(const Body& body) {
     const auto usable = [](const char* name, auto value, auto term) {
@@ -40,7 +39,6 @@ const Body& checked(const Body& body) {
         usable("radius", body.radius, body.radius * body.radius * (1 / body.inertia.moment));
     return body;
 }
-/// [checked]
 
 /// Returns the state if all of it is finite and the squares of its speeds are too. Throws
 /// `std::invalid_argument` otherwise.
@@ -140,12 +138,10 @@ struct Weight {
     explicit Weight(Real gravity_) : gravity(finite("gravity", gravity_)) {}
 
     /// v changes by h g.
-    /// [weight]
     template <class Body>
     TIMESTEP_INLINE void operator()(const Body&, BodyState<Real>& m, Real&, Real h) const {
         m.v.z() -= h * gravity;
     }
-    /// [weight]
 };
 
 /// The gyroscopic torque, as `Solver` treats it. For a body whose inertia has none, nothing is
@@ -158,14 +154,12 @@ struct Gyroscopic {
     explicit Gyroscopic(const Solver& solver_) : solver(solver_) {}
 
     /// Changes ω as the solver does. Needs `body.inertia`.
-    /// [gyroscopic]
     template <class Body, class Real>
     TIMESTEP_INLINE void operator()(const Body& body, BodyState<Real>& m, Real&, Real h) const {
         auto& [t, q, omega] = m.turning;
         if constexpr (decltype(body.inertia)::gyroscopic)  // not even a copy of ω
             omega = after_gyroscopic_torque(solver, body.inertia, q, omega, h);
     }
-    /// [gyroscopic]
 };
 
 // One contact needs no iteration: the normal impulse leaves ω alone, because its arm has its
@@ -183,7 +177,6 @@ struct Ground {
     /// Keeps the gap from closing beyond zero: v_z ≥ −gap/h. Needs `body.mass`, `body.radius` and
     /// the `body.inertia` of a ball. The velocities become NaN if the square of the contact's
     /// velocity is too large for a number.
-    /// [ground]
     template <class Body>
     TIMESTEP_INLINE void operator()(const Body& body, BodyState<Real>& m, Real& load,
                                     Real h) const {
@@ -205,7 +198,6 @@ struct Ground {
         v.x() += px / body.mass, v.y() += py / body.mass;
         omega.x() += r * inverse_inertia * py, omega.y() -= r * inverse_inertia * px;
     }
-    /// [ground]
 };
 
 /// Rolling resistance: the ground gives way a little and pushes in front of the centre, which slows
@@ -218,7 +210,6 @@ struct RollingResistance {
     explicit RollingResistance(Real c) : coefficient(not_negative("rolling resistance", c)) {}
 
     /// Slows the spin, at most to a stop. ω becomes NaN if its square is too large for a number.
-    /// [rolling]
     template <class Body>
     TIMESTEP_INLINE void operator()(const Body& body, BodyState<Real>& m, Real& load, Real) const {
         Vector3<Real>& omega = m.turning.omega;
@@ -228,7 +219,6 @@ struct RollingResistance {
         omega.x() *= left;
         omega.y() *= left;
     }
-    /// [rolling]
 };
 
 }  // namespace timestep

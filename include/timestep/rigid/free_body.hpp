@@ -24,7 +24,6 @@ struct FreeBody {
 
     /// ẏ = (q̇, ω̇): q̇ = ½ q ω, where ω stands for the quaternion (0, ω) (N42), and Euler's equation
     /// ω̇ = −I⁻¹(ω × Iω) (N40).
-    /// [rate]
     TIMESTEP_INLINE Y operator()(Real, const Y& y) const {
         const Quaternion<Real> q(y[3], y[0], y[1], y[2]);
         const Vector3<Real> omega = y.template tail<3>(), half = omega / 2;
@@ -34,7 +33,6 @@ struct FreeBody {
         rate << quaternion_product(q, turning).coeffs(), inertia.velocity(torque);
         return rate;
     }
-    /// [rate]
 };
 
 /// A body's state as one array (q, ω).

@@ -67,13 +67,11 @@ struct BodyPack {
     Vector3<Pack> omega;  ///< angular velocity in world coordinates, rad/s
 
     /// One step of `h` seconds of all bodies in the pack, as step_rotation() steps one.
-    /// [step]
     template <class Gyroscopic>
     TIMESTEP_INLINE void step(const Gyroscopic& solver, Pack h) {
         omega = after_gyroscopic_torque(solver, inertia, q, omega, h);
         q = rotated(q, omega, h);
     }
-    /// [step]
 };
 
 /// Bodies of several kinds, all at the same time `t`:

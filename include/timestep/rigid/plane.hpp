@@ -210,14 +210,12 @@ void touch(const Capsule<Inertia>& body, const Ground& ground, const BodyState& 
         const Orientation q2 = rotated(m1.turning.q, omega, h);
         contacts = {};
         contacts.count = body.ends();
-        /// [arms]
         for (int i = 0; i < body.ends(); ++i) {
             const V e = body.end(m1.turning.q, i), e2 = body.end(q2, i);
             const V middle = ground.arms == Arms::start ? e : V((e + e2) / 2);
             contacts.at[i].arm = middle - body.radius * V::UnitZ();
             contacts.at[i].gap = m1.x.z() + e.z() - body.radius;
         }
-        /// [arms]
         v = v1, omega = omega1;
         solve(contacts, body.mass, inverse, ground, body.radius, h, v, omega);
     }

@@ -22,14 +22,12 @@ template <class Real>
 using Quaternion = Eigen::Quaternion<Real>;  ///< a rotation from body to world coordinates
 
 /// The matrix of a cross product: skew(a) b = a × b (N47).
-/// [skew]
 template <class Real>
 Matrix3<Real> skew(const Vector3<Real>& a) noexcept {
     Matrix3<Real> s;
     s << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
     return s;
 }
-/// [skew]
 
 /// skew(a) B: the cross products of a and B's columns.
 template <class Real>
@@ -78,14 +76,12 @@ TIMESTEP_INLINE Quaternion<Real> over_its_length(const Quaternion<Real>& q) noex
 /// atan(h|ω|/2) instead of h|ω|, which is less than half a turn for any spin, as long as the square
 /// of h|ω|/2 is a number: to 3e19 in `float`, 1e154 in `double`. Beyond, the quaternion is zero,
 /// and `is_finite` of a state is false.
-/// [orientation]
 template <class Real>
 Quaternion<Real> rotated(const Quaternion<Real>& q1, const Vector3<Real>& omega, Real h) noexcept {
     const Vector3<Real> half = h / 2 * omega;
     const Quaternion<Real> rate = vector_product(half, q1);
     return over_its_length(Quaternion<Real>(q1.coeffs() + rate.coeffs()));
 }
-/// [orientation]
 
 // q̇ = ½ q ω with ω in the body. A constant ω rotates the body about ω by h|ω|. The quaternion
 // 1 + h/2 ω, scaled to length one, rotates it about that axis by 2 atan(h|ω|/2), which is
@@ -104,7 +100,6 @@ TIMESTEP_INLINE Quaternion<Real> rotated_in_body(const Quaternion<Real>& q1,
 
 /// The quaternion of a rotation by |v| rad about v: the exact motion for a constant angular
 /// velocity.
-/// [exponential]
 template <class Real>
 TIMESTEP_INLINE Quaternion<Real> rotation_by(const Vector3<Real>& v) noexcept {
     const Real half = norm(v) / 2;
@@ -112,6 +107,5 @@ TIMESTEP_INLINE Quaternion<Real> rotation_by(const Vector3<Real>& v) noexcept {
     const Real share = half > 0 ? sine / half / 2 : Real(0.5);
     return Quaternion<Real>(cosine, share * v.x(), share * v.y(), share * v.z());
 }
-/// [exponential]
 
 }  // namespace timestep

@@ -10,7 +10,6 @@ namespace timestep {
 
 /// The x with A x = b, where `a`, `b` and `c` are the columns of A (Cramer's rule). Each unknown is
 /// a volume over the volume of the three columns, their determinant; 0/0 where that vanishes.
-/// [solve]
 template <class Real>
 TIMESTEP_INLINE Vector3<Real> solve3(const Vector3<Real>& a, const Vector3<Real>& b,
                                      const Vector3<Real>& c, const Vector3<Real>& right) {
@@ -19,7 +18,6 @@ TIMESTEP_INLINE Vector3<Real> solve3(const Vector3<Real>& a, const Vector3<Real>
     const Real share = 1 / volume;  // a division takes as long as ten products
     return share * Vector3<Real>(dot(right, b_c), dot(right, c_a), dot(right, a_b));
 }
-/// [solve]
 
 /// The x with A x = b.
 template <class Real>
