@@ -67,11 +67,11 @@ std::vector<std::string> reason(const std::vector<std::string>& log) {
     return lines;
 }
 
-void mark_ready(const std::vector<fs::path>& marks, fs::file_time_type begin) {
+void mark_ready(const std::vector<fs::path>& marks, const std::string& text, fs::file_time_type begin) {
     std::error_code ignored;
     fs::create_directories(marks.front().parent_path(), ignored);
     for (const auto& mark : marks) {
-        write_whole(mark, "");
+        write_whole(mark, text);
         fs::last_write_time(mark, begin, ignored);  // what changed during the build counts as new
     }
 }
@@ -110,13 +110,16 @@ void configure_kit(ProgressLine& progress) {
     if (fresh) command.insert(command.end(), {"--fresh", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"});
     const int status = listen(command, std::ref(lines), [&] { progress.tick(); });
     progress.clear();
-    if (status == 0) return mark_ready({mark}, begin);
+    if (status == 0) return mark_ready({mark}, "", begin);
     if (unfit.empty()) std::fprintf(stderr, "%s", all.c_str());
     throw Stop(Status::missing, unfit.empty() ? "CMake could not configure the build" : unfit);
 }
 
 // Its time is when the exercise was last found ready.
 fs::path ready_mark(const Exercise& exercise) { return paths().build / "exercises/found_ready" / exercise.name; }
+
+// What it holds: tests with another source folder or a fake for CMake use the same build folder.
+std::string found_by() { return paths().source.string() + "\n" + paths().cmake + "\n"; }
 
 // Is everything there that CMake and the build have made for a check of the exercise?
 bool all_there(const Exercise& exercise) {
@@ -130,7 +133,7 @@ bool all_there(const Exercise& exercise) {
 // build, not even one that finds nothing to do, and works while a tour builds.
 bool is_ready(const Exercise& exercise) {
     const auto since = written_at(ready_mark(exercise));
-    if (!since) return false;
+    if (!since || contents(ready_mark(exercise)) != found_by()) return false;
     const fs::path &source = paths().source, &build = paths().build;
     const std::string room = exercise.chapter + "/" + exercise.name;
     std::vector<fs::path> parts{source / "CMakeLists.txt", source / "include",         source / "tools/cmake",
@@ -250,7 +253,7 @@ void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) 
     const std::string whose =
         targets.size() == 1 ? targets.front().substr(6) : std::to_string(targets.size()) + " exercises";
     build(targets, progress, "Building what a check of " + whose + " needs; at first that takes half a minute");
-    mark_ready(marks, begin);
+    mark_ready(marks, found_by(), begin);
 }
 
 void make_again(const std::vector<Exercise>& exercises, bool header, ProgressLine& progress) {
