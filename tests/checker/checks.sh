@@ -108,7 +108,8 @@ test_sanitize_shows_the_report_and_the_line() {
     std::vector<int> numbers(7);
     zero = zero & *(numbers.data() + seven);  // here
 CODE
-    says out 'heap-buffer-overflow'
+    says out "The sanitizer, or your code, printed:"
+    says out heap-buffer-overflow
     says out "Line $(grep -n '// here' answer.cpp | cut -d: -f1):"
     sanitized ': crashes' <<'CODE'
     zero = zero * (1 << (seven + 25));  // here

@@ -192,7 +192,10 @@ std::string told(const Exercise& exercise, const Verdict& verdict, const fs::pat
                why(exercise, verdict, file);
     }
     if (!verdict.remark.empty()) text += "\n" + wrapped(verdict.remark, 2);
-    if (!verdict.printed.empty()) text += "\n  Your code printed:\n" + head_of(verdict.printed, 20, "      ");
+    const bool has_report = verdict.watched && verdict.kind == "crash";
+    if (!verdict.printed.empty())
+        text += (has_report ? "\n  The sanitizer, or your code, printed:\n" : "\n  Your code printed:\n") +
+                head_of(verdict.printed, 20, "      ");
     if (verdict.kind != "does_not_compile" && !verdict.compiler.empty())
         text += "\n  The compiler remarks:\n" + head_of(verdict.compiler, 12, "  ");
     return text;
