@@ -43,15 +43,6 @@ PROPERTY("there is one number for each frame, from zero to the cap") {
     }
 }
 
-PROPERTY("frames of a third of a step take one step in every third frame") {
-    Draw draw;
-    for (int i = 0; i < 20; ++i) {
-        const double third = draw.integer(i < 15 ? 1 : 2, i < 15 ? 3 : 20) * unit_of(i);
-        const auto steps = learner(std::vector<double>(6, third), 3 * third, draw.integer(2, 6));
-        REQUIRE(steps == std::vector<int>{0, 0, 1, 0, 0, 1});
-    }
-}
-
 PROPERTY("below the cap the simulation is never ahead of the clock, and less than a step behind") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {

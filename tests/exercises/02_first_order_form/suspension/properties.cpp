@@ -49,20 +49,6 @@ PROPERTY("above 1, the slow and the fast return have the rates that zeta and the
     }
 }
 
-PROPERTY("twice the car takes twice of both; four times the sag a quarter and a half") {
-    Draw draw;
-    for (int i = 0; i < 30; ++i) {
-        const double mass = draw.log(0.1, 1e5), sag = draw.log(1e-3, 1), g = draw.real(0.1, 25);
-        const double zeta = draw.real(0.1, 2);
-        const auto one = learner(mass, sag, zeta, g);
-        const auto heavy = learner(2 * mass, sag, zeta, g), soft = learner(mass, 4 * sag, zeta, g);
-        REQUIRE(close(heavy[0], 2 * one[0], 1e-13));
-        REQUIRE(close(heavy[1], 2 * one[1], 1e-13));
-        REQUIRE(close(soft[0], one[0] / 4, 1e-13));
-        REQUIRE(close(soft[1], one[1] / 2, 1e-13));
-    }
-}
-
 // A toy and a ship, on any planet. In each call both numbers must be the right ones.
 PROPERTY("cars of any size on any planet, with any damping, get their springs and dampers") {
     Draw draw;

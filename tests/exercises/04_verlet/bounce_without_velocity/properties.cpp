@@ -25,15 +25,6 @@ PROPERTY("a ball that is not below the floor is left alone, rising or falling") 
     }
 }
 
-PROPERTY("after the bounce the ball is not below the floor") {
-    Draw draw;
-    for (int i = 0; i < 50; ++i) {
-        const Sunk ball(draw);
-        const double now = learner(ball.before, ball.now, ball.floor, draw.real(0, 1))[1];
-        REQUIRE(now >= ball.floor - 1e-14);
-    }
-}
-
 // Roundoff here and below: a few terms of at most 10 metres.
 PROPERTY("it leaves the floor with the given part of the speed, upwards") {
     Draw draw;

@@ -63,16 +63,6 @@ PROPERTY("both ends move only along the line between them") {
     }
 }
 
-// Masses of at most 50 kg, so a hundred times the roundoff of a position.
-PROPERTY("the centre of mass of the two ends stays where it is") {
-    Draw draw;
-    for (int i = 0; i < 100; ++i) {
-        const Ends ends(draw);
-        const auto [a, b] = learner(ends.a, ends.b, ends.wa, ends.wb, ends.length);
-        REQUIRE(((a - ends.a) / ends.wa + (b - ends.b) / ends.wb).norm() <= 1e-12);
-    }
-}
-
 PROPERTY("two ends that are held stay where they are, however long the rope") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {

@@ -28,8 +28,6 @@ struct Ball {
     double g, e;
 };
 
-double energy(const State<double>& s, double g) { return s.v * s.v / 2 + g * s.x; }
-
 // How far off a learner may be at rest, and where bounces are slower than that.
 constexpr double still = 1e-6;
 
@@ -93,29 +91,6 @@ PROPERTY("a ball on the ground that moves down bounces at once, as if it were on
         const State<double> up = learner({t, 0, ball.e * v}, ball.g, ball.e, h);
         const State<double> down = learner({t, 0, -v}, ball.g, ball.e, h);
         REQUIRE(is_at(down, up.t, up.x, up.v, v * v / ball.g, v, still));
-    }
-}
-
-// The n-th bounce is fall + (1 + e + ... + e^(n - 1)) flight after the start, for n = 0, 1, 2 ... .
-// Balls whose last bounces are faster than a hundredth.
-PROPERTY("after n bounces, all in one step, the ball has e^(2 n) of its energy") {
-    Draw draw;
-    for (int i = 0; i < 100; ++i) {
-        Ball ball(draw);
-        if (i % 2 == 0) ball.s.x = draw.real(5, 100), ball.e = draw.real(0.6, 0.95);
-        double h = ball.fall(), flight = ball.flight(), speed = ball.e * ball.impact();
-        double energy_left = ball.energy() * ball.e * ball.e;
-        for (int more = draw.integer(0, 60); more > 0 && ball.e * speed > 0.01; --more) {
-            h += flight;
-            flight *= ball.e;
-            speed *= ball.e;
-            energy_left *= ball.e * ball.e;
-        }
-        const double since = flight * draw.real(0.05, 0.95);
-        const State<double> s = ball.after(h + since);
-        REQUIRE(s.x >= 0);
-        REQUIRE(close(energy(s, ball.g), energy_left, 1e-5));
-        REQUIRE(close(s.v, speed - ball.g * since, 0, 1e-5 * speed));
     }
 }
 

@@ -108,21 +108,6 @@ PROPERTY("everybody whom you leave out is beaten by one whom you return") {
     }
 }
 
-PROPERTY("of two settings with the same time or the same error, only the better is worth having") {
-    Draw draw;
-    for (int i = 0; i < 40; ++i) {
-        const double seconds = draw.log(1e-6, 1e2), error = draw.log(1e-12, 1);
-        const double hair = i % 2 == 0 ? draw.log(1e-3, 10) : draw.log(1e-13, 1e-11);
-        const Point good{seconds, error}, slow{seconds * (1 + hair), error};
-        const Point bad{seconds, error * (1 + hair)};
-        REQUIRE(learner({good, slow}) == std::vector<int>{0});
-        REQUIRE(learner({slow, good}) == std::vector<int>{1});
-        REQUIRE(learner({good, bad}) == std::vector<int>{0});
-        REQUIRE(learner({bad, good}) == std::vector<int>{1});
-        REQUIRE(learner({slow, bad}) == std::vector<int>{1, 0});
-    }
-}
-
 PROPERTY("twins are both worth having, in the order of the list, or neither is") {
     Draw draw;
     for (int i = 0; i < 60; ++i) {

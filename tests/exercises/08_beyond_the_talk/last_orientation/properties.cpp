@@ -166,19 +166,6 @@ PROPERTY("from one frame to the next the body turns by the mean of the two spins
     }
 }
 
-// Of several together, so that one whose error happens to vanish does not count.
-PROPERTY("half the gaps leave a quarter of the error, where the spin changes smoothly") {
-    Draw draw;
-    double whole = 0, half = 0;
-    for (int i = 0; i < 10; ++i) {
-        const Smooth smooth(draw);
-        const Quaterniond exact = smooth.exact();
-        whole += apart(smooth.replay(100).answer(), exact);
-        half += apart(smooth.replay(200).answer(), exact);
-    }
-    REQUIRE(close(order(whole, half), 2, 0, 0.15));
-}
-
 // What was the last frame comes first, each spin is turned round, and time runs from the end. The
 // gaps are rounded as the times are, which are below 200 s: 3e-14 s, at 50 rad/s.
 PROPERTY("the replay backwards leads back to where it came from, to twelve digits") {
