@@ -126,7 +126,7 @@ public:
         for (const auto& line : lines)
             if (line.size() >= shortest && !line.starts_with("#include<timestep/"))
                 lines_[beginning(line.data())].insert(line);
-        for (const char* folder : {"chapters", "include", "tools", "docs"})
+        for (const char* folder : {"chapters", "docs", "engines", "include", "tools"})
             for_each_file(source / folder, [&](const fs::path& file) { open += read(file); });
         for (const char* file : {"CMakeLists.txt", "CMakePresets.json", "README.md", "course", "LICENSE"})
             open += read(source / file);
