@@ -7,13 +7,6 @@
 
 #include <timestep/lanes.hpp>
 
-std::string many::target(double value, double limit, bool at_most) {
-    char text[80];
-    std::snprintf(text, sizeof text, "  target: at %s %g, %s", at_most ? "most" : "least", limit,
-                  (at_most ? value <= limit : value >= limit) ? "reached" : "missed");
-    return text;
-}
-
 int main(int argc, char** argv) {
     if (argc > 1) return std::fprintf(stderr, "bench_many: %s: takes no options\n", argv[1]), 2;
     std::printf("%s: %d lanes in float, %d in double\n", BENCH_FLAGS, timestep::native_width<float>,

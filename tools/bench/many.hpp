@@ -2,6 +2,7 @@
 // What the two halves of bench_many share: rows that are timed in turns.
 
 #include <algorithm>
+#include <cstdio>
 #include <functional>
 #include <string>
 #include <vector>
@@ -37,7 +38,12 @@ inline void measure(std::vector<Row>& rows, int turns) {
 }
 
 // "target: at most 0.012, reached".
-std::string target(double value, double limit, bool at_most = true);
+inline std::string target(double value, double limit, bool at_most = true) {
+    char text[80];
+    std::snprintf(text, sizeof text, "  target: at %s %g, %s", at_most ? "most" : "least", limit,
+                  (at_most ? value <= limit : value >= limit) ? "reached" : "missed");
+    return text;
+}
 
 int bodies();   // many_bodies.cpp
 int springs();  // many_springs.cpp
