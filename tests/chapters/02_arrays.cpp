@@ -18,12 +18,10 @@
 #include <timestep/run.hpp>
 #include <timestep/scene.hpp>
 
-#include "any_model.hpp"
 #include "dual.hpp"
 #include "extrapolation.hpp"
 
 using namespace timestep;
-using test_support::AnyForce;
 using test_support::Dual;
 using test_support::extrapolated;
 
@@ -82,13 +80,12 @@ TEST_CASE("an implicit solver takes the first-order form, too", "[I04][ch2]") {
 TEST_CASE("with air resistance two independent references agree", "[I03][ch2]") {
     const Scene scene{Projectile(Vector2(0, -9.81)), Drag<double>::from_terminal_speed(40, 9.81)};
     const State start{0, Vector2(0, 0), Vector2(21, 21)};
-    const AnyForce<Vector2> grenade(scene);
     const FirstOrderForm form{scene};
 
     // One second in 60 steps: the error that the chapter shows. Its reference takes 64 times as
     // many.
-    const State<Vector2> shown = run(runge_kutta_4, grenade, start, 1.0 / 60, 60);
-    const State<Vector2> reference = run(runge_kutta_4, grenade, start, 1.0 / 60 / 64, 60 * 64);
+    const State<Vector2> shown = run(runge_kutta_4, scene, start, 1.0 / 60, 60);
+    const State<Vector2> reference = run(runge_kutta_4, scene, start, 1.0 / 60 / 64, 60 * 64);
     const Vector4 second = extrapolated(form, stacked(start).y, 0.0, 0.05, 20);
     const double error = (stacked(shown).y - stacked(reference).y).norm();
     const double apart = (second - stacked(reference).y).norm();
@@ -96,7 +93,7 @@ TEST_CASE("with air resistance two independent references agree", "[I03][ch2]") 
     CHECK(apart < error / 100);
 
     // Straight up and down there is an exact answer: v = −v_t tanh(g t / v_t), fallen from rest.
-    const AnyForce<double> fall(Scene{Projectile(-9.81), Drag<double>::from_terminal_speed(40, 9.81)});
+    const Scene fall{Projectile(-9.81), Drag<double>::from_terminal_speed(40, 9.81)};
     const State end = run(runge_kutta_4, fall, State{0, 0.0, 0.0}, 1.0 / 256, 5 * 256);
     CHECK(std::fabs(end.v + 40 * std::tanh(9.81 * 5 / 40)) < 1e-9);
     CHECK(std::fabs(end.x + 40 * 40 / 9.81 * std::log(std::cosh(9.81 * 5 / 40))) < 1e-9);
