@@ -7,7 +7,7 @@
 #include "advise_body.hpp"
 #include <timestep/nearly_symmetric.hpp>
 
-#include "body_questions.hpp"
+#include "chapters/06_stability/study/body_questions.hpp"
 
 using namespace timestep;
 using questions::Body;
@@ -42,9 +42,7 @@ TEST_CASE("the half-step Jacobian's bound is reached, and 2/sqrt(c) is where it 
         body.moments.minCoeff(&least), body.moments.maxCoeff(&most);
         Vector way = Vector::Constant(1e-3);
         way[3 - least - most] = 1;
-        const auto said = [&](double turn) {
-            return detail::judged(tumble<HalfStepJacobian>, {1, 1, 0}, body, turn, 1);
-        };
+        const auto said = [&](double turn) { return on_spring(tumble<HalfStepJacobian>, {1, 1, 0}, body, turn, 1); };
         const double end = said(1).longest_step;
         for (const double part : {0.1, 0.5, 0.9}) {
             const BodyAdvice advice = said(part * end);
@@ -63,7 +61,7 @@ TEST_CASE("the half-step Jacobian's bound is reached, and 2/sqrt(c) is where it 
 TEST_CASE("that bound is a constant step's: by uneven frames it is passed", "[library][I13]") {
     const Frames uneven(1.0 / 120, 1.0 / 60);
     const double spin = 30;
-    const BodyAdvice even = detail::judged(tumble<HalfStepJacobian>, {1, 1, 0}, ruler, spin, 1.0 / 60);
+    const BodyAdvice even = on_spring(tumble<HalfStepJacobian>, {1, 1, 0}, ruler, spin, 1.0 / 60);
     REQUIRE(even.adds == AddsEnergy::bounded);
     CHECK(of(advise_body(ruler, Vector(0, 30, 0), uneven), "half-step Jacobian").adds == AddsEnergy::one_step_can);
     questions::Random random(4);
@@ -286,7 +284,8 @@ TEST_CASE("a callback leaves the engine's own step on where that adds next to no
         double most = 0;
         for (int n = 0; n < 2000; ++n) {
             const Vector direction = n % 2 ? random.direction() : random.near_middle(body);
-            most = std::max(most, energy_gain(implicit_gyroscopic, body, Vector(spin * direction), 1.0 / 60));
+            most = std::max(most,
+                            gyroscopic_solver(ImplicitGyroscopic::name).gain(body, Vector(spin * direction), 1.0 / 60));
         }
         CAPTURE(apart, body.moments.transpose(), spin, most);
         CHECK(most < 1.0011);

@@ -1,10 +1,11 @@
 // I13: the advice on a damper alone, and on a spring whose damper hides its fast decay, against runs.
 #include <catch2/catch_test_macros.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "advise_damper.hpp"
+#include "method_on_spring.hpp"
 #include <timestep/run.hpp>
 
 using namespace timestep;
@@ -18,7 +19,9 @@ struct Damper {
     double slope_v() const { return -rate; }
 };
 
-const Advice& of(const std::vector<Advice>& all, const std::string& name) { return *detail::find(all, name); }
+const Advice& of(const std::vector<Advice>& all, const std::string& name) {
+    return *std::find_if(all.begin(), all.end(), [&](const Advice& each) { return each.method == name; });
+}
 
 // The largest error of the velocity after a throw, until 2π over `rate`.
 template <class Method, class Model>
@@ -66,8 +69,8 @@ TEST_CASE("of a damper alone every verdict and every error is that of a run", "[
 }
 
 TEST_CASE("a damper alone goes down the list, or to the least cost that reaches the accuracy", "[library][I13]") {
-    const auto answer = [](double z, const Wish& wish) {
-        return recommend_damper(60, z / 60, wish, advise_damper(60, z / 60, wish.accuracy));
+    const auto answer = [](double z, const Goal& goal) {
+        return recommend_damper(60, z / 60, goal, advise_damper(60, z / 60, goal.accuracy));
     };
     CHECK(answer(1, {}).method == "semi-implicit Euler, new damping");
     CHECK(answer(2.1, {}).method == "implicit Euler");
@@ -100,7 +103,7 @@ TEST_CASE("a spring that hardly pulls does not hide what its damper does to a th
         });
     }
     // Over within three steps a throw is not looked at: the stiff pull of a controller.
-    CHECK_FALSE(detail::thrown_counts(20, 5.0 / 60));
-    CHECK(detail::thrown_counts(20, 5.0 / 240));
-    CHECK_FALSE(detail::thrown_counts(5, 5.0 / 240));  // its positions show both decays
+    CHECK_FALSE(thrown_counts(20, 5.0 / 60));
+    CHECK(thrown_counts(20, 5.0 / 240));
+    CHECK_FALSE(thrown_counts(5, 5.0 / 240));  // its positions show both decays
 }

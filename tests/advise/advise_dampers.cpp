@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "advise_springs.hpp"
+#include "method_on_spring.hpp"
 
 #include "random_springs.hpp"
 
@@ -39,16 +39,16 @@ void sweep(Random& random, const Pull& pull, springs::Net<N> net, Swept& seen) {
     seen.grew_one_way += springs::grows(springs::swept_step(net, dampers, h, false));
     // What the advice says of steps that its bounds call stable.
     const SpringScene scene = scene_of(pull, 1, random.in_log(0.01, 1000));
-    const Advice advice = detail::at_step(
-        detail::judged(semi_implicit_euler_new_damping, scene.fastest.zeta, scene.least.zeta, scene.several), scene,
-        1.99 / scene.fastest.omega, 0.01);
+    const Advice advice =
+        at_step(on_spring(semi_implicit_euler_new_damping, scene.fastest.zeta, scene.least.zeta, scene.several), scene,
+                1.99 / scene.fastest.omega, 0.01);
     CHECK(advice.verdict == Verdict::stable);
     CHECK(scene.fastest.omega >= (1 - 1e-3) * fastest);  // `hold` adds a little
 }
 
 }  // namespace
 
-// The proof stands beside detail::several_dampers().
+// The proof stands beside several_dampers().
 TEST_CASE("dampers swept there and back let no scene grow below omega h = 2, and one way only they do",
           "[library][I13][N25]") {
     Random random(31);
@@ -72,7 +72,9 @@ TEST_CASE("with several dampers new damping is called stable below omega h = 2 o
     const auto verdict_at = [](const Pull& pull, double turn) {
         const SpringScene scene = scene_of(pull, 1, 2);
         const double h = turn / scene.fastest.omega;
-        return detail::advise(semi_implicit_euler_new_damping, scene, h, 0.01).verdict;
+        return advise(on_spring(semi_implicit_euler_new_damping, scene.fastest.zeta, scene.least.zeta, scene.several),
+                      scene, h, 0.01)
+            .verdict;
     };
     for (const Pull& pull : {springs_between(1, 2), springs_between(1, 4), hinge(1, 1, 1, 1), springs_on_body(1, 3)}) {
         CHECK(verdict_at(pull, 1.99) == Verdict::stable);

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "advise_springs.hpp"
+#include "method_on_spring.hpp"
 
 #include "random_springs.hpp"
 
@@ -37,7 +37,7 @@ void one_method(Random& random, bool damped, const Visit& visit) {
 }
 
 // A step for a scene: one in three within a tenth of a boundary, of the fastest swing that can be or of the slowest.
-double a_step(Random& random, const SpringScene& scene, const detail::Judged& method, Tally& tally) {
+double a_step(Random& random, const SpringScene& scene, const MethodOnSpring& method, Tally& tally) {
     const bool least = random.below(2);
     const double limit = least ? method.least_limit.value : method.limit.value;
     if (random.below(3) || !(limit > 0.02 && limit < 1e3)) return random.in_log(0.05, 10) / scene.fastest.omega;
@@ -59,9 +59,9 @@ Tally ask(unsigned seed, long questions, const Draw& draw) {
         net.damping_share = damping;
         net.hold(1e-4 * pull.least);  // what is free drifts, and no run of steps tells that from a slow growth
         one_method(random, damping > 0, [&](const auto& method) {
-            const auto judged = detail::judged(method, scene.fastest.zeta, scene.least.zeta);
+            const auto judged = on_spring(method, scene.fastest.zeta, scene.least.zeta);
             const double h = a_step(random, scene, judged, tally);
-            const Advice advice = detail::at_step(judged, scene, h, 0.01);
+            const Advice advice = at_step(judged, scene, h, 0.01);
             const bool grew = springs::grows(method, net, h);
             const long wrong = tally.wrong;
             tally.count(advice.verdict, grew);
@@ -129,9 +129,9 @@ Tally ask_tethers(long questions, long* gained) {
         one_method(random, true, [&](const auto& method) {
             if constexpr (std::remove_cvref_t<decltype(method)>::takes_damping &&
                           !std::is_same_v<std::remove_cvref_t<decltype(method)>, SemiImplicitEulerNewDamping>) {
-                const auto judged = detail::judged(method, zeta, zeta);
+                const auto judged = on_spring(method, zeta, zeta);
                 const double h = a_step(random, scene, judged, tally);
-                const Advice advice = detail::at_step(judged, scene, h, 0.01);
+                const Advice advice = at_step(judged, scene, h, 0.01);
                 const OneSided tether{zeta, random.in_log(0.01, 1)};
                 const double rest = tether.weight;
                 if (advice.verdict == Verdict::grows) {
@@ -187,12 +187,12 @@ Tally ask_frames(long questions) {
     for (long i = 0; i < questions; ++i) {
         const double zeta = random.below(3) ? random.in_log(0.02, 4) : 0;
         one_method(random, zeta > 0, [&](const auto& method) {
-            const auto judged = detail::judged(method, zeta, zeta);
+            const auto judged = on_spring(method, zeta, zeta);
             SpringScene scene(DampedSpring<double>(1, zeta));
             scene.longest_frame = a_step(random, scene, judged, tally);
             scene.shortest_frame = scene.longest_frame * random.even(0.3, 0.95);
-            const Advice advice = detail::at_step(judged, scene, scene.longest_frame, 0.01);
-            const auto& stepping = detail::when_step_changes(method);
+            const Advice advice = at_step(judged, scene, scene.longest_frame, 0.01);
+            const auto& stepping = when_step_changes(method);
             if (advice.verdict == Verdict::stable) {
                 const bool stood =
                     survives(stepping, zeta, scene.shortest_frame, scene.longest_frame, random, 0, false) &&
@@ -225,7 +225,7 @@ Tally ask_kicks(long questions) {
         const DampedSpring<double> spring(1, zeta);
         SpringScene scene(spring);
         scene.kicks = true;
-        const Advice advice = detail::at_step(detail::judged(bdf2, zeta, zeta), scene, h, 0.01);
+        const Advice advice = at_step(on_spring(bdf2, zeta, zeta), scene, h, 0.01);
         Bdf2Motion<State<double>> motion(State<double>{0, 1, 0});
         double allowed = 1;
         bool grew = false;

@@ -5,8 +5,7 @@
 
 #include <Eigen/Dense>
 
-#include "advise_recommend.hpp"
-#include "advise_springs.hpp"
+#include "advise.hpp"
 #include <timestep/run.hpp>
 
 #include "random_springs.hpp"
@@ -16,13 +15,13 @@ using springs::Random;
 
 namespace {
 
-Recommendation answer(const SpringScene& scene, double h, const Wish& wish = {}) {
-    return recommend(scene, h, wish, advise(scene, h, wish.accuracy));
+Recommendation answer(const SpringScene& scene, double h, const Goal& goal = {}) {
+    return recommend(scene, h, goal, advise(scene, h, goal.accuracy));
 }
-Recommendation in_frames(double omega, double zeta, double shortest, double longest, const Wish& wish = {}) {
+Recommendation in_frames(double omega, double zeta, double shortest, double longest, const Goal& goal = {}) {
     SpringScene scene(DampedSpring<double>(omega, zeta));
     scene.shortest_frame = shortest, scene.longest_frame = longest;
-    return answer(scene, longest, wish);
+    return answer(scene, longest, goal);
 }
 
 // A point on a tether in the plane, ω = 1 where it is taut, no damper.
@@ -107,11 +106,11 @@ TEST_CASE("what is recommended for uneven frames stands, and is as near as asked
     for (int i = 0; i < 25; ++i) {
         const double zeta = random.below(3) ? random.in_log(0.01, 10) : 0, longest = random.in_log(0.05, 100);
         const double shortest = longest * random.even(0.3, 0.95);
-        const Wish wish{random.below(2) == 1, random.below(2) == 1};
-        const Recommendation made = in_frames(1, zeta, shortest, longest, wish);
-        CAPTURE(zeta, shortest, longest, wish.precise, wish.keeps_size, made.method, made.substeps);
+        const Goal goal{random.below(2) == 1, random.below(2) == 1};
+        const Recommendation made = in_frames(1, zeta, shortest, longest, goal);
+        CAPTURE(zeta, shortest, longest, goal.precise, goal.keeps_size, made.method, made.substeps);
         REQUIRE(made.substeps > 0);
-        if (wish.precise) CHECK(made.position_error <= 0.01);
+        if (goal.precise) CHECK(made.position_error <= 0.01);
         const auto look = [&](const auto& method) {
             if (made.method != method.name) return;
             if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(method)>, Bdf2>) {
@@ -129,7 +128,7 @@ TEST_CASE("what is recommended for uneven frames stands, and is as near as asked
                     }
                 }
                 CHECK(most < 1.1);
-                if (wish.precise) CHECK(first_swing <= 0.01);
+                if (goal.precise) CHECK(first_swing <= 0.01);
             }
         };
         for_each_method(look);

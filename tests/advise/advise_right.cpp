@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "advise.hpp"
+#include "method_on_spring.hpp"
 #include <timestep/run.hpp>
 
 using namespace timestep;
@@ -83,6 +83,11 @@ double slow_off(const Method& method, const DampedSpring<double>& spring, double
     return std::abs(std::log(middle.x / end) / (double(steps) * h) / slow - 1);
 }
 
+template <class Method>
+Advice advise_on(const Method& method, const DampedSpring<double>& spring, double h) {
+    return advise(on_spring(method, spring.zeta, spring.zeta), spring, h, 0.01);
+}
+
 // Every method that steps a damper and has one state.
 template <class Visit>
 void for_each_damped(const Visit& visit) {
@@ -106,7 +111,7 @@ TEST_CASE("a step that is right to 1 % shows a motion that is, and a longer one 
             for (const double share : {0.1, 0.3, 0.6, 0.9, 0.99, 0.9999}) CHECK(off(method, spring, share * h) <= 0.01);
             bool ends_there = false;  // the error has teeth: a little beyond, a step may be right again
             for (const double share : {1.0001, 1.001, 1.003, 1.01, 1.03, 1.06}) {
-                const Advice longer = detail::advise(method, spring, share * h, 0.01);
+                const Advice longer = advise_on(method, spring, share * h);
                 ends_there = ends_there || off(method, spring, share * h) > 0.01 || longer.ringing < 0 ||
                              longer.verdict != Verdict::stable;
             }
@@ -134,7 +139,7 @@ TEST_CASE("the position error, sampled, is that of every step of a run", "[libra
         for (int i = 0; i < 60; ++i) {
             const double zeta = damped && i % 4 ? 0.01 * std::pow(1e4, even(numbers)) : 0;
             const double h = 5e-4 * std::pow(1e4, even(numbers));
-            const double said = detail::position_error(method, zeta, h);
+            const double said = on_spring(method, zeta, zeta).position_error(h);
             const double seen = off(method, DampedSpring<double>(1.0, zeta), h);
             if (!(seen < 1e3)) continue;
             CAPTURE(method.name, zeta, h, said, seen);
@@ -156,7 +161,7 @@ TEST_CASE("an asked step is right when its own error is small, and then a run is
         for (int i = 0; i < 300; ++i) {
             const DampedSpring<double> spring(1.0, 0.05 * std::pow(100, even(numbers)));
             const double h = 0.01 * std::pow(1000, even(numbers));
-            const Advice advice = detail::advise(method, spring, h, 0.01);
+            const Advice advice = advise_on(method, spring, h);
             CAPTURE(method.name, spring.zeta, h, advice.position_error);
             if (advice.accurate_step > 1.001 * h) CHECK(advice.right);
             if (!advice.right) continue;
@@ -306,7 +311,7 @@ TEST_CASE("what is said to ring turns its sign step by step, and an implicit Eul
             for (int i = 0; i < 150; ++i) {
                 const DampedSpring<double> spring(1.0, 0.6 * std::pow(200, even(numbers)));
                 const double h = std::pow(10, -3 + 6 * even(numbers));
-                const Advice advice = detail::advise(method, spring, h, 0.01);
+                const Advice advice = advise_on(method, spring, h);
                 if (advice.verdict != Verdict::stable) continue;
                 CAPTURE(method.name, spring.zeta, h, advice.reason);
                 if (advice.ringing < 0) {

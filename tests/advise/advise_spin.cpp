@@ -4,13 +4,18 @@
 #include <cmath>
 #include <random>
 
-#include "advise_spin.hpp"
+#include "advise_body.hpp"
 
 #include "random_inertia.hpp"
 
 using namespace timestep;
 
 namespace {
+
+template <class Solver>
+double energy_gain(const Solver&, const PrincipalInertia<double>& inertia, const Vector3<double>& omega, double h) {
+    return gyroscopic_solver(Solver::name).gain(inertia, omega, h);
+}
 
 SpinAdvice of(const std::vector<SpinAdvice>& all, const std::string& method) {
     for (const SpinAdvice& advice : all)
@@ -28,7 +33,9 @@ TEST_CASE("the search for a gain misses none that darts find", "[library][N51][I
     for (int n = 0; n < 40; ++n) {
         const auto inertia = random.inertia<double>(1000);
         const double size = std::pow(10, -1.5 + 2 * even(numbers));
-        const double found = detail::worst_direction(implicit_gyroscopic, inertia, size, 1.0).gain;
+        const double found = worst_direction([&](const Vector3<double>& way) {
+                                 return energy_gain(implicit_gyroscopic, inertia, way, size);
+                             }).gain;
         double darts = 0;
         for (int i = 0; i < 4000; ++i)
             darts = std::max(darts, energy_gain(implicit_gyroscopic, inertia, random.direction<double>(), size));
@@ -51,7 +58,7 @@ TEST_CASE("one iteration gains from h|omega| = sqrt(I1 I3)/(I3 - I1) on", "[libr
         // Where two moments are nearly equal, the gain is too small to be seen.
         const double ratio = body.moments[middle] / body.moments[least];
         if (ratio < 1.1 || body.moments[most] / body.moments[middle] < 1.1) continue;
-        const double limit = detail::longest_safe_step(body, 1);
+        const double limit = longest_safe_step(body, 1);
         const auto best_at = [&](double size) {
             double best = 0;
             for (int i = 0; i < 40000; ++i) {
@@ -108,7 +115,7 @@ TEST_CASE("what is said to gain energy does so by its own worst spin, visibly", 
         const PrincipalInertia<double> body(1, 1 + 0.5 * apart, 1.9);
         const double size = std::pow(10, -8 + 10 * even(numbers));
         for_each_gyroscopic([&](const auto& solver) {
-            const SpinAdvice advice = detail::advise_spin(solver, body, size, 1.0);
+            const SpinAdvice advice = gyroscopic_solver(solver.name).judge(body, size, 1.0);
             CAPTURE(advice.method, apart, size, advice.worst_gain - 1, advice.reason);
             if (advice.verdict == Verdict::stable) CHECK(advice.worst_gain <= 1 + 1e-12);
             if (advice.verdict != Verdict::grows) return;
@@ -128,12 +135,12 @@ TEST_CASE("one iteration's gain has no bound from where its determinant can vani
         int least, most;
         body.moments.minCoeff(&least), body.moments.maxCoeff(&most);
         const int middle = 3 - least - most;
-        const double from = detail::unbounded_step(body, 1);
+        const double from = unbounded_step(body, 1);
         if (!(from < 100)) continue;
         CAPTURE(body.moments.transpose(), from);
-        CHECK(from >= 2 * detail::longest_safe_step(body, 1) * (1 - 1e-12));
-        CHECK(std::isfinite(detail::advise_spin(implicit_gyroscopic, body, 1, 0.999 * from).worst_gain));
-        const auto above = detail::advise_spin(implicit_gyroscopic, body, 1, 1.001 * from);
+        CHECK(from >= 2 * longest_safe_step(body, 1) * (1 - 1e-12));
+        CHECK(std::isfinite(gyroscopic_solver(implicit_gyroscopic.name).judge(body, 1, 0.999 * from).worst_gain));
+        const auto above = gyroscopic_solver(implicit_gyroscopic.name).judge(body, 1, 1.001 * from);
         CHECK(std::isinf(above.worst_gain));
         CHECK(above.verdict == Verdict::grows);
         CHECK(above.reason.find("on without bound") != std::string::npos);

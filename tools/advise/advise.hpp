@@ -1,24 +1,101 @@
 #pragma once
 /// \file
-/// Which method, what does it cost, will my simulation blow up, how far is it from the truth? For a
-/// spring with a damper, what every method makes of it at a given step: predicted, without a single
-/// step of simulation (I13).
+/// Which method, what does it cost, will my simulation blow up, how far is it from the truth? For springs and for a
+/// damper alone, what every method makes of them at a given step: predicted, without a single step of simulation (I13).
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
-#include "advise_stretch.hpp"
-#include <timestep/inline.hpp>
+#include <timestep/methods.hpp>
+#include <timestep/methods/semi_implicit_euler_new_damping.hpp>
+#include <timestep/models/damped_spring.hpp>
+#include <timestep/stability_limit.hpp>
 
-#if defined(__clang__)  // what is long double here is meant to be
-#pragma clang diagnostic push
-#pragma clang diagnostic ignored "-Wdouble-promotion"
-#endif
+#include "which_method.hpp"
 
 namespace timestep {
+
+/// Every method that is advised on, in the order in which the course meets them, and so in each list of Advice.
+inline constexpr auto spring_methods =
+    std::tuple_cat(all_methods, std::tuple{semi_implicit_euler_new_damping}, verlet_methods);
+
+/// The place of a method in that order. A method that is not on the list does not compile.
+template <class Method>
+inline constexpr std::size_t place_of = std::apply(
+    [](const auto&... all) {
+        static_assert((std::is_same_v<Method, std::remove_cvref_t<decltype(all)>> || ...), "no method to advise on");
+        std::size_t place = 0;
+        (void)((!std::is_same_v<Method, std::remove_cvref_t<decltype(all)>> && ++place) && ...);
+        return place;
+    },
+    spring_methods);
+
+/// The springs of a scene, as their fastest oscillation sees them. Of many springs only bounds of
+/// that swing are known: then `least` is slower than `fastest`, each with its own damping ratio.
+/// Springs with dampers beside them swing slower by other patterns, with less damping; where the
+/// fastest oscillation is stable those are, too.
+struct SpringScene {
+    DampedSpring<double> fastest;  ///< the fastest oscillation is this one at most
+    DampedSpring<double> least;    ///< and this one at least
+    bool only_pulls = false;       ///< a tether: it lets go when it is slack
+    bool is_net = false;           ///< many springs, between many masses
+    bool is_joint = false;         ///< a hinge: one place of two bodies, held together
+    bool several = false;          ///< several springs, each with the damper beside it
+    bool turns = false;            ///< a spring takes hold off a centre of mass, so that it turns a body
+    bool kicks = false;            ///< do impulses come between the steps?
+    double shortest_frame = 0;     ///< s; 0: every step is as long as the last
+    double longest_frame = 0;      ///< s
+    std::string found{};           ///< how the fastest oscillation was found, in a line
+    bool thrown = false;           ///< does the velocity after a throw count, too? advise() and recommend() find out
+
+    /// One spring, of which all is known.
+    SpringScene(const DampedSpring<double>& spring) : fastest(spring), least(spring) {}
+    /// A fastest oscillation between two bounds.
+    SpringScene(const DampedSpring<double>& fastest_, const DampedSpring<double>& least_, const std::string& found_)
+        : fastest(fastest_), least(least_), found(found_) {}
+
+    bool varying() const { return shortest_frame < longest_frame; }  ///< are frames of uneven length?
+    bool bounded() const { return least.omega < fastest.omega; }     ///< are only bounds known?
+};
+
+/// How the springs of a scene pull: the stiffness of one of them times this is ω² of the fastest
+/// oscillation. Where they take hold, and in which direction, is not asked, so there is a bound on
+/// either side.
+struct Pull {
+    double most;         ///< 1/kg
+    double least;        ///< 1/kg
+    std::string found;   ///< the formula, in words
+    bool several;        ///< several springs or directions, each with a damper of its own
+    bool turns = false;  ///< does a spring take hold off a centre of mass, so that it turns a body?
+};
+
+/// What a spring feels of a body that it takes hold of at the distance `arm` from its centre of
+/// mass: 1/m + r²/I at most, with the least moment of inertia I, where it pulls across the arm
+/// about that axis. 1/kg. Throws `std::invalid_argument`.
+double lightness(double mass, double arm, double inertia);
+
+/// `springs` springs between the world and one body. All of them in one place, pulling one way, are
+/// the fastest. At least there is the oscillation of one spring that pulls at the centre of mass,
+/// and of three directions one in which a third of all of them pull.
+Pull springs_on_body(double mass, double springs, double arm = 0, double inertia = 0);
+
+/// Points of equal mass, each with `springs` springs to its neighbours: two in a chain, four in a
+/// cloth. Two neighbours that swing against each other stretch a spring from both ends. At least
+/// one pair does.
+Pull springs_between(double mass, double springs);
+
+/// One spring that holds two bodies together; `one` and `other` are their lightness() at its ends.
+Pull hinge(double one_mass, double one, double other_mass, double other);
+
+/// The scene of these springs, each with the damper `damping`, N·s/m, beside it: an oscillation of
+/// ω has ζ = cω/2k.
+SpringScene scene_of(const Pull& pull, double stiffness, double damping);
+
+/// The same where the damping ratio of the fastest oscillation is known.
+SpringScene scene_of_zeta(const Pull& pull, double stiffness, double zeta);
 
 /// What one method makes of a spring. Numbers that mean nothing here are NaN.
 struct Advice {
@@ -45,123 +122,10 @@ struct Advice {
 
 /// Stable, and yet it keeps four times the energy that it should, twice the amplitude, while a
 /// hundredth of the start is there to be seen.
-inline bool lingers(const Advice& advice) { return advice.energy_ratio > 4 && advice.growth_per_second >= 0.01; }
+bool lingers(const Advice& advice);
 
 /// The verdict in words, and beside "stable" what is alarming all the same: stable is not right.
-inline std::string told_verdict(const Advice& advice) {
-    if (advice.verdict != Verdict::stable) return words(advice.verdict);
-    if (advice.ringing < 0) return "stable, rings";
-    if (advice.position_error > 0.5) return "stable, far off";
-    return lingers(advice) ? "stable, lingers" : "stable";
-}
-
-/// \cond
-namespace detail {
-
-inline Said judge(const Judged& method, const SpringScene& scene, double h, const Growth& growth,
-                  const std::vector<StepMatrix<double>>& steps) {
-    const double omega = scene.fastest.omega;
-    const bool sweep = scene.several && method.new_damping && scene.fastest.zeta > 0;
-    const Said constant = sweep ? several_dampers(scene, h, method.at_once, method.least_limit)
-                                : constant_step(scene, h, method.limit, method.least_limit);
-    if (scene.only_pulls) {
-        const Said taut = tether(constant, method.implicit_euler && !scene.turns);
-        const bool surely_grows = taut.verdict == Verdict::grows && !scene.varying();
-        if (taut.verdict == Verdict::stable || surely_grows || !scene.varying()) return taut;
-        return {Verdict::not_proven, taut.reason};
-    }
-    if (!scene.varying()) return constant;
-    Said said = varying_steps(method.one_pattern, method.limit, omega * scene.shortest_frame,
-                              omega * scene.longest_frame, steps, growth);
-    // Of the slower oscillations that the fastest one may be nothing more is known.
-    if (scene.bounded() && said.verdict == Verdict::grows) said.verdict = Verdict::not_proven;
-    // One ellipse holds one oscillation.
-    if ((scene.bounded() || scene.several) && !method.one_pattern && said.verdict == Verdict::stable &&
-        std::isfinite(method.limit.value))
-        return {Verdict::not_proven, "proven for the fastest oscillation alone"};
-    return said;
-}
-
-// All but the first stretch.
-inline Advice at_step(const Judged& method, const SpringScene& scene, double h, double wanted) {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const DampedSpring<double>& spring = scene.fastest;
-    if (!method.takes_damping && spring.zeta > 0)
-        return {
-            method.name, Verdict::refused, "takes forces of the position only", nan, nan, nan, nan, nan, nan, nan, nan,
-            nan};
-
-    const double s = spring.omega * h, zeta = spring.zeta;
-    const auto all = method.multipliers(s);
-    const Complex lambda = all.front(), exact = exact_rate(zeta);
-    long double largest = 0;
-    for (const Complex& each : all) largest = std::max(largest, std::abs(each));
-
-    Advice advice;
-    advice.method = method.name;
-    advice.longest_step = method.limit.value / spring.omega;
-    advice.position_error = method.position_error(s);
-    advice.rate_error = rate_error(all, zeta, s);
-    long double growth_per_step = std::log(largest);
-    double mean_step = h;
-    Growth growth{0, 0};
-    std::vector<StepMatrix<double>> steps;
-    if (scene.varying()) {
-        const double shortest = spring.omega * scene.shortest_frame, longest = spring.omega * scene.longest_frame;
-        steps = steps_of(method.matrix, shortest, longest);
-        growth = method.one_pattern ? mean_growth(steps, zeta) : random_products(steps);
-        growth_per_step = growth.mean;
-        mean_step = (scene.shortest_frame + scene.longest_frame) / 2;
-        advice.position_error = random_position_error(method.matrix, method.position_error,
-                                                      DampedSpring<long double>(1, zeta), shortest, longest);
-    }
-    const Said said = judge(method, scene, h, growth, steps);
-    advice.verdict = said.verdict;
-    advice.reason = said.reason;
-    // What a tether does when it is slack, and what is not known of the springs, is not the
-    // oscillation's affair.
-    const bool taut = scene.only_pulls && advice.verdict == Verdict::not_proven;
-    if (advice.verdict == Verdict::stable || taut) {
-        const long double most = ringing(all, zeta, s);
-        advice.ringing = static_cast<double>(most);
-        if (most < 0 && advice.verdict == Verdict::stable) {
-            const std::string why = ringing_words(all, most, zeta);
-            advice.reason = std::isfinite(method.limit.value) ? why + "; " + advice.reason : why;
-        }
-    }
-    advice.growth_per_step = static_cast<double>(std::exp(growth_per_step));
-    advice.growth_per_second = static_cast<double>(std::exp(growth_per_step / mean_step));
-    const long double energy_rate = 2 * (growth_per_step / mean_step - exact.real() * spring.omega);
-    advice.energy_ratio = static_cast<double>(std::exp(energy_rate));
-    advice.energy_drift = static_cast<double>(std::expm1(energy_rate));
-    advice.period_error =
-        exact.imag() > 0 && lambda.imag() > 0 ? static_cast<double>(exact.imag() * s / std::arg(lambda) - 1) : nan;
-    advice.cost = method.work / mean_step;
-    advice.step = h;
-    if (scene.kicks && method.two_steps) advice.reason += "; restart it after each kick, or 1 m/s becomes 1.5";
-    advice.right =
-        (advice.verdict == Verdict::stable || taut) && advice.ringing == 0 && advice.position_error <= wanted;
-    return advice;
-}
-
-inline Advice advise(const Judged& method, const SpringScene& scene, double h, double wanted) {
-    const DampedSpring<double>& spring = scene.fastest;
-    Advice advice = at_step(method, scene, h, wanted);
-    if (scene.varying() || advice.verdict == Verdict::refused) return advice;
-    if (const Stretch stretch = first_right(method, spring.zeta, wanted); stretch.to > 0) {
-        advice.accurate_from = stretch.from / spring.omega;
-        advice.accurate_step = stretch.to / spring.omega;
-        advice.accurate_cost = method.work / advice.accurate_step;
-    }
-    return advice;
-}
-template <class Method>
-Advice advise(const Method& method, const SpringScene& scene, double h, double wanted) {
-    return advise(judged(method, scene.fastest.zeta, scene.least.zeta, scene.several, scene.thrown), scene, h, wanted);
-}
-
-}  // namespace detail
-/// \endcond
+std::string told_verdict(const Advice& advice);
 
 /// What every method of the course makes of the fastest oscillation of `scene`, which may be just
 /// one DampedSpring, at steps of `h` seconds, in the order in which the course meets them. With
@@ -197,52 +161,59 @@ Advice advise(const Method& method, const SpringScene& scene, double h, double w
 /// A force evaluation and a solve are counted as equal in cost. Throws `std::invalid_argument`
 /// where ω or h is not above zero and finite, where ωh is below 1e-12 (a step then changes nothing
 /// but the last digits) or not finite, or `wanted` is not between 1e-8 and 0.5.
-TIMESTEP_WHERE_CALLED
-std::vector<Advice> advise(SpringScene scene, double h, double wanted = 0.01) {
-    const double omega = scene.fastest.omega;
-    positive("omega", omega);
-    positive("step", h);
-    if (!std::isfinite(omega * h)) refuse("step", h, "so short that omega times it is finite");
-    const double shortest = scene.varying() ? scene.shortest_frame : h;
-    if (omega * shortest < 1e-12) refuse("step", shortest, "so long that omega times it is 1e-12 or more");
-    if (!(wanted >= 1e-8 && wanted <= 0.5)) refuse("accuracy", wanted, "from 1e-8 to 0.5");
-    scene.thrown = detail::thrown_counts(scene.fastest.zeta, omega * h);
-    std::vector<Advice> all;
-    const auto add = [&](const auto& method) { all.push_back(detail::advise(method, scene, h, wanted)); };
-    for_each_method(add);
-    add(semi_implicit_euler_new_damping);
-    for_each_verlet_method(add);
-    return all;
-}
+std::vector<Advice> advise(SpringScene scene, double h, double wanted = 0.01);
 
 /// The longest step known to be right and no longer than `longest`, in seconds; 0 if there is none.
-inline double best_step(const Advice& advice, double longest = std::numeric_limits<double>::infinity()) {
-    const double best = advice.accurate_from <= longest ? std::min(advice.accurate_step, longest) : 0;
-    return advice.right && advice.step <= longest ? std::max(best, advice.step) : best;
-}
+double best_step(const Advice& advice, double longest = std::numeric_limits<double>::infinity());
 
 /// What the method costs a second at best_step().
-inline double best_cost(const Advice& advice, double longest = std::numeric_limits<double>::infinity()) {
-    const double step = best_step(advice, longest);
-    return step > 0 ? advice.cost * (advice.step / step) : 0;
-}
+double best_cost(const Advice& advice, double longest = std::numeric_limits<double>::infinity());
 
 /// Of the methods that stay as near as wanted the one that does so at the least cost, with steps no
 /// longer than `longest`; of equally cheap ones the one that stays nearer. Null where none does.
-inline const Advice* cheapest(const std::vector<Advice>& all,
-                              double longest = std::numeric_limits<double>::infinity()) {
-    const Advice* best = nullptr;
-    for (const Advice& advice : all) {
-        if (!(best_step(advice, longest) > 0)) continue;
-        const double ratio = best ? best_cost(advice, longest) / best_cost(*best, longest) : 0;
-        const bool alike = std::abs(ratio - 1) < 1e-9;
-        if (alike ? advice.position_error < best->position_error : ratio < 1) best = &advice;
-    }
-    return best;
+const Advice* cheapest(const std::vector<Advice>& all, double longest = std::numeric_limits<double>::infinity());
+
+/// The advice on one method.
+template <class Method>
+const Advice& of(const std::vector<Advice>& all, const Method&) {
+    return all[place_of<Method>];
 }
 
-}  // namespace timestep
+/// One method, and how many steps of it in the place of each step that was asked about.
+struct Recommendation {
+    const Choice* choice;  ///< the row of the list
+    std::size_t place;     ///< of the method in spring_methods: that of the row, or another where that costs too much
+    long substeps;         ///< 1: the step as it is; 0: none of up to a million does
+    std::string method;    ///< its name
+    std::string take;      ///< the row's words, or what of them is meant here
+    std::string why;       ///< the same of the reason
+    double position_error = std::numeric_limits<double>::quiet_NaN();  ///< at those substeps: see Advice
+    double rate_error = std::numeric_limits<double>::quiet_NaN();      ///< at those substeps
+    bool swept = false;  ///< are dampers swept there and back? Then both errors are those of all dampers at once
+};
 
-#if defined(__clang__)
-#pragma clang diagnostic pop
-#endif
+/// What of a spring in a game the numbers do not tell.
+struct Goal {
+    bool precise = false;     ///< has an accuracy been asked for?
+    bool keeps_size = false;  ///< must an oscillation faster than the frame keep its size?
+    double accuracy = 0.01;   ///< the one that advise() was asked about
+};
+
+/// The answer for steps of `h`, and the fewest substeps with which it is stable, does not ring, and
+/// is as near as was asked for. `all` is what advise() says of the same, to the accuracy of `goal`.
+/// Asked for an accuracy, it is the method that reaches it at the least cost, in whole substeps of
+/// `h`.
+Recommendation recommend(SpringScene scene, double h, const Goal& goal, const std::vector<Advice>& all);
+
+/// What every method makes of a velocity that a damper alone slows down, v' = −rate v with `rate` =
+/// c/m in 1/s, at steps of `h` seconds. Advice::position_error is that of the **velocity** here:
+/// the largest error, over the velocity at the start, until 2π/rate. The exact step multiplies it
+/// by e^(−h rate). Throws `std::invalid_argument` where the rate or the step is not above zero and
+/// finite, their product is not from 1e-12 to 1e12, or `wanted` is not from 1e-8 to 0.5.
+std::vector<Advice> advise_damper(double rate, double h, double wanted = 0.01);
+
+/// The answer for a damper alone: down the list of which_method.hpp, or, asked for an accuracy, the
+/// method that reaches it at the least cost in whole substeps of `h`.
+Recommendation recommend_damper(double rate, double h, const Goal& goal, const std::vector<Advice>& all);
+
+}  // namespace timestep

@@ -13,6 +13,7 @@
 
 #include "commands.hpp"
 #include "option_errors.hpp"
+#include "question.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
 
@@ -27,14 +28,14 @@ struct Asked {
     std::string chapter, exercise, kit, name;
     std::string seed, file, out;  // an empty word is a value, too; see `given`
     std::vector<std::string> chapter_options;
-    Question question;
+    timestep::Question question;
     Contest contest;
     Grading grading;
 };
 
 // Further options of `advise` for springs.
 template <class Number>
-void declare_springs(CLI::App& advise, Question& question, const Number& number) {
+void declare_springs(CLI::App& advise, timestep::Question& question, const Number& number) {
     advise.add_option("--kind", question.kind, "spring, chain, cloth, tether (it only pulls) or hinge")
         ->type_name("NAME");
     number("--springs", question.springs, "N",
@@ -50,7 +51,7 @@ void declare_springs(CLI::App& advise, Question& question, const Number& number)
 
 void declare_advise(CLI::App& app, Asked& asked) {
     const auto advise = app.add_subcommand("advise", "will it blow up? Every method on your numbers");
-    Question& question = asked.question;
+    timestep::Question& question = asked.question;
     const auto number = [&](const char* flag, auto& value, const char* unit, const char* words) {
         advise->add_option(flag, value, words)->type_name(unit)->check(no_double);
     };

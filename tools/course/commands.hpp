@@ -7,6 +7,10 @@
 #include <string>
 #include <vector>
 
+namespace timestep {
+struct Question;
+}
+
 namespace course {
 
 /// The chapters and their exercises: for people, or as JSON for programs.
@@ -89,28 +93,8 @@ void bench_many();
 /// Gyroscopic rules inside physics engines: those whose name begins with `engine`, or all.
 void bench_engines(const Contest& contest, const std::optional<std::string>& engine);
 
-/// The options of `advise`: a spring or a spinning body, and a step. An option that was not given is empty.
-struct Question {
-    std::optional<double> omega, stiffness, mass, damping, zeta;  ///< rad/s, N/m, kg, N s/m, no unit
-    std::optional<double> step, rate;                             ///< s, 1/s
-    std::vector<double> inertia, spin;                            ///< kg m², rad/s
-    std::optional<double> accuracy;  ///< percent; not given: nothing asked, and 1 in the table
-    std::vector<double> frames;      ///< the shortest and the longest, s, where they differ
-
-    // Of a body.
-    std::optional<double> count;  ///< of bodies like this one; 1 where not given
-    bool contacts = false;        ///< does it touch others?
-    bool callback = false;        ///< and can it only be changed before the engine's step?
-
-    // More kinds of springs than one.
-    std::string kind = "spring";                                 ///< or chain, cloth, tether, hinge
-    std::optional<double> springs, arm, turning;                 ///< how many, m, kg m²
-    std::optional<double> other_mass, other_arm, other_turning;  ///< of a hinge's other body
-    bool kicks = false, keep_size = false;                       ///< impulses; a fast oscillation that is to stay
-};
-
 /// Prints for every method: will it blow up, what does it cost, how large is its error?
-void advise(const Question& question, bool json);
+void advise(const timestep::Question& question, bool json);
 
 /// Writes the learner's edition of the course into `folder`, which is new or empty; `with_solutions` packs the
 /// solutions.

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <random>
 
-#include "advise_recommend.hpp"
-#include "advise_spin.hpp"
+#include "advise.hpp"
+#include "advise_body.hpp"
 
 #include "sections.hpp"
 #include "simulate.hpp"
@@ -73,27 +72,22 @@ private:
     std::mt19937_64 random_;
 };
 
-// The energy after a step over that before it, at an angular velocity.
-using Gain = std::function<double(const Vector3<double>& omega)>;
-
 // Can one step raise the energy of a body at this rate of spin? A thousand directions are tried,
 // and the one that the advice itself names.
-bool gains(const Gain& gain, double spin, const Vector3<double>& named, Scenes& scenes) {
-    double most = named.isZero() ? 1 : gain(named);
+bool gains(const GyroscopicSolver& solver, const PrincipalInertia<double>& inertia, double spin,
+           double h, const Vector3<double>& named, Scenes& scenes) {
+    double most = named.isZero() ? 1 : solver.gain(inertia, named, h);
     for (int i = 0; i < 1000 && !(most > 1 + 1e-12); ++i)
-        most = std::max(most, gain(spin * scenes.direction()));
+        most = std::max(most, solver.gain(inertia, Vector3<double>(spin * scenes.direction()), h));
     return !(most <= 1 + 1e-12);
 }
 
 // The advice for one body, and what the trials say.
-template <class Solver>
-void spinning(const Solver& solver, const PrincipalInertia<double>& inertia, double spin, double h,
-              Scenes& scenes, Tally& tally) {
-    const SpinAdvice advised = detail::advise_spin(solver, inertia, spin, h);
-    const Gain gain = [&](const Vector3<double>& omega) {
-        return energy_gain(solver, inertia, omega, h);
-    };
-    Scenes::count(advised.verdict, gains(gain, spin, advised.worst_spin, scenes), tally);
+void spinning(const GyroscopicSolver& solver, const PrincipalInertia<double>& inertia, double spin,
+              double h, Scenes& scenes, Tally& tally) {
+    const SpinAdvice advised = solver.judge(inertia, spin, h);
+    Scenes::count(advised.verdict, gains(solver, inertia, spin, h, advised.worst_spin, scenes),
+                  tally);
 }
 
 void add(lab::Table& table, const std::string& what, const Tally& tally) {
@@ -212,17 +206,14 @@ void advice(const Settings&, lab::Findings& out) {
         const auto inertia = scenes.body();
         const double spin = scenes.even_in_log(0.1, 100);
         const double size = scenes.even_in_log(0.01, 10);
-        int which = 0;
         if (i % 2 == 0) {
-            const double limit = detail::longest_safe_step(inertia, spin);
+            const double limit = longest_safe_step(inertia, spin);
             const double h = limit * scenes.even(0.9, 1.1);
             ++bodies.near;
-            spinning(implicit_gyroscopic, inertia, spin, h, scenes, bodies);
+            spinning(gyroscopic_solver(ImplicitGyroscopic::name), inertia, spin, h, scenes, bodies);
         } else {
-            for_each_gyroscopic([&](const auto& solver) {
-                if (which++ == i / 2 % 6)
-                    spinning(solver, inertia, spin, size / spin, scenes, bodies);
-            });
+            spinning(gyroscopic_solvers()[std::size_t(i / 2 % 6)], inertia, spin, size / spin,
+                     scenes, bodies);
         }
     }
     add(table, "spinning bodies", bodies);

@@ -1,46 +1,34 @@
-#pragma once
-/// \file
-/// Frames of uneven length: what products of a step's matrices do, one matrix for each length
-/// (I13).
+// Will it blow up, and why.
+
+#include "verdict.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <functional>
-#include <numbers>
 #include <random>
-#include <vector>
-
-#include "advise_multipliers.hpp"
-#include "advise_verdict.hpp"
-#include <timestep/models/damped_spring.hpp>
 
 #if defined(__clang__)  // what is long double here is meant to be
-#pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wdouble-promotion"
 #endif
 
-/// \cond
-namespace timestep::detail {
+namespace timestep {
 
-using MatrixOf = std::function<StepMatrix<long double>(long double s)>;
+namespace {
+
+// Why a constant step is stable or not, for people.
+std::string reason(const StabilityLimit& limit, double s) {
+    if (!std::isfinite(limit.value)) return "stable for every step";
+    const int digits = number(s) == number(limit.value) ? 7 : 4;  // as many as tell the two apart
+    const std::string left = number(s, digits), right = number(limit.value, digits);
+    const std::string words = limit.formula, link = words.starts_with("the ") ? ", " : " = ";
+    const std::string formula = right == words ? "" : link + words;
+    if (left == right) return "ωh = " + left + formula + ", the limit itself";
+    return "ωh = " + left + (s < limit.value ? " < " : " > ") + right + formula;
+}
 
 // So many lengths stand for all those between the shortest and the longest, evenly apart.
 inline constexpr int lengths = 129;
 
-inline double length(double shortest, double longest, int i) {
-    return shortest + (longest - shortest) * i / (lengths - 1);
-}
-
-// The steps of all lengths, in double.
-inline std::vector<StepMatrix<double>> steps_of(const MatrixOf& matrix, double shortest, double longest) {
-    std::vector<StepMatrix<double>> all;
-    for (int i = 0; i < lengths; ++i) {
-        const auto a = matrix(length(shortest, longest, i));
-        all.push_back({double(a.xx), double(a.xv), double(a.vx), double(a.vv)});
-    }
-    return all;
-}
+double length(double shortest, double longest, int i) { return shortest + (longest - shortest) * i / (lengths - 1); }
 
 // The square of a state's size, x² + 2c xv + d v²: an ellipse. What does a step multiply it by at
 // most?
@@ -70,7 +58,7 @@ struct Ellipse {
 // Is there an ellipse that no step of any of the lengths leaves? Then no order of them lets
 // anything grow. We go to the one whose worst gain is least by smaller and smaller moves; the first
 // to have none will do.
-inline bool common_ellipse(const std::vector<StepMatrix<double>>& steps) {
+bool common_ellipse(const std::vector<StepMatrix<double>>& steps) {
     Ellipse best{0, 1};
     double least = best.worst(steps);
     for (const double c : {-0.9, -0.5, -0.2, 0.0, 0.2, 0.5, 0.9})
@@ -89,15 +77,63 @@ inline bool common_ellipse(const std::vector<StepMatrix<double>>& steps) {
     return least <= 1;
 }
 
+}  // namespace
+
+// A constant step. `high` is the limit for the fastest oscillation that can be, `low` for the
+// slowest that the fastest one can be. By each method's formula a slower swing with less damping is
+// stable where a faster one with more, in proportion, is: no limit rises faster than ζ does.
+Reason constant_step(const SpringScene& scene, double h, const StabilityLimit& high, const StabilityLimit& low) {
+    const double s = scene.fastest.omega * h, least = scene.least.omega * h;
+    const Verdict at_most = verdict(s, high.value), at_least = verdict(least, low.value);
+    if (at_most == Verdict::stable || !scene.bounded()) return {at_most, reason(high, s)};
+    if (at_least == Verdict::grows) return {Verdict::grows, reason(low, least) + ", at least"};
+    return {Verdict::not_proven,
+            "ωh is " + number(least) + " to " + number(s) + ", and " + number(high.value) + " the limit"};
+}
+
+// Several dampers at the new velocity, one after another there and back with a root of each
+// division, or all in one system of equations. Either way v₂ = P (v₁ − h A x₁) with P symmetric, 0
+// < P ≤ 1, masses as the measure. An eigenvalue λ of the step solves (1 + c) λ² − (2 + c − s) λ + 1
+// = 0 with c ≥ 0 from P⁻¹ − 1 and s from h²A, both taken at its eigenvector. Up to s = 4, ωh = 2
+// without the dampers, |λ| ≤ 1. Beyond it `high` and `low` are the limits of one system of
+// equations.
+Reason several_dampers(const SpringScene& scene, double h, const StabilityLimit& high, const StabilityLimit& low) {
+    const double s = scene.fastest.omega * h, least = scene.least.omega * h;
+    if (verdict(s, 2) == Verdict::stable)
+        return {Verdict::stable, "ωh = " + number(s) + " < 2, dampers there and back or all at once"};
+    if (verdict(least, low.value) == Verdict::grows)
+        return {Verdict::grows, reason(low, least) + ", at least, dampers all at once"};
+    return {Verdict::not_proven,
+            "ωh = " + number(s) + " at most: proven below 2; with all dampers at once below " + number(high.value)};
+}
+
+// A tether that lets go and takes hold between two steps can be stretched, when it takes hold, by
+// more than its speed ever paid for. Implicit Euler alone has a proof: between points the force is
+// the slope of a potential that is convex, slack or taut, and by each of its steps the energy
+// falls. Off a centre of mass the potential is not convex in the body's angle, and a step of
+// implicit Euler may gain.
+Reason tether(const Reason& taut, bool implicit_euler) {
+    if (implicit_euler) return {Verdict::stable, "stable for every step, slack or taut"};
+    if (taut.verdict != Verdict::stable) return {taut.verdict, "taut: " + taut.reason};
+    return {Verdict::not_proven, "taut: " + taut.reason + "; each time it goes taut, it may gain"};
+}
+
+// The steps of all lengths, in double.
+std::vector<StepMatrix<double>> steps_of(const MatrixOf& matrix, double shortest, double longest) {
+    std::vector<StepMatrix<double>> all;
+    for (int i = 0; i < lengths; ++i) {
+        const auto a = matrix(length(shortest, longest, i));
+        all.push_back({double(a.xx), double(a.xv), double(a.vx), double(a.vv)});
+    }
+    return all;
+}
+
 // How fast a state grows when every frame may be as long as any other: the mean of the logarithm a
 // step, and how well a thousand runs of a thousand steps know it. The seed is fixed: the advice is
 // the same each time. Sizes are those of the ellipse on which the step of the middle length goes
 // round, if it does: x² + v² swings by itself, and where in its oscillation a run begins and ends
 // would be taken for growth. For the same reason runs begin anywhere.
-struct Growth {
-    double mean, deviation;
-};
-inline Growth random_products(const std::vector<StepMatrix<double>>& steps) {
+Growth random_products(const std::vector<StepMatrix<double>>& steps) {
     constexpr int runs = 1000, count = 1000, warm_up = 24;
     const StepMatrix<double>& middle = steps[lengths / 2];
     const double p = -middle.vx, q = (middle.xx - middle.vv) / 2, r = middle.xv;
@@ -136,7 +172,7 @@ inline Growth random_products(const std::vector<StepMatrix<double>>& steps) {
 // −1, −2ζ), each multiplied by its own factor: the mean over all lengths. A step is αI + βF, and so
 // are its factors α + βμ. (Which of a step's two eigenvalues is the larger changes with the length,
 // so by size they cannot be told apart.)
-inline Growth mean_growth(const std::vector<StepMatrix<double>>& steps, double zeta) {
+Growth mean_growth(const std::vector<StepMatrix<double>>& steps, double zeta) {
     const Complex rate = exact_rate(zeta);
     long double most = -INFINITY;
     for (const Complex& mu : {rate, 1.0L / rate}) {  // the product of the two is 1
@@ -161,11 +197,11 @@ inline constexpr double slowest_growth = 2e-6;
 // length: no step raises the energy. (BDF2 begins anew when the length changes, and then is
 // implicit midpoint.) Others turn the patterns with the length, and steps that are stable one by
 // one may grow together: there only an ellipse that none of them leaves is a proof.
-inline Said varying_steps(bool one_pattern, const StabilityLimit& limit, double shortest, double longest,
-                          const std::vector<StepMatrix<double>>& steps, const Growth& growth) {
+Reason varying_steps(bool steps_commute, const StabilityLimit& limit, double shortest, double longest,
+                     const std::vector<StepMatrix<double>>& steps, const Growth& growth) {
     if (!std::isfinite(limit.value)) return {Verdict::stable, "whatever order the frames come in"};
     const bool sure = growth.mean > slowest_growth + 5 * growth.deviation;
-    if (one_pattern) {
+    if (steps_commute) {
         const Verdict at_most = verdict(longest, limit.value), at_least = verdict(shortest, limit.value);
         if (at_most == Verdict::stable) return {at_most, reason(limit, longest) + ", at the longest frame"};
         if (at_least == Verdict::grows) return {at_least, reason(limit, shortest) + ", at the shortest frame"};
@@ -174,14 +210,13 @@ inline Said varying_steps(bool one_pattern, const StabilityLimit& limit, double 
     }
     if (sure) return {Verdict::grows, "frames at random between the two lengths make it grow"};
     const std::string at = "its limit, ωh = " + number(limit.value);
-    return {Verdict::not_proven, at + (one_pattern ? ", lies between the frames" : ", holds for a constant step")};
+    return {Verdict::not_proven, at + (steps_commute ? ", lies between the frames" : ", holds for a constant step")};
 }
 
 // The largest distance from the true place in the first period, of thirty runs with frames at
 // random; and of two with constant ones, the shortest and the longest.
-template <class Constant>
-double random_position_error(const MatrixOf& matrix, const Constant& constant, const DampedSpring<long double>& spring,
-                             double shortest, double longest) {
+double random_position_error(const MatrixOf& matrix, const std::function<double(long double)>& constant,
+                             const DampedSpring<long double>& spring, double shortest, double longest) {
     double most = std::max(constant(shortest), constant(longest));
     const long double end = 2 * std::numbers::pi_v<long double> / std::abs(exact_rate(spring.zeta));
     if (end / shortest > 2000) return most;  // so many frames even out
@@ -204,9 +239,4 @@ double random_position_error(const MatrixOf& matrix, const Constant& constant, c
     return most;
 }
 
-}  // namespace timestep::detail
-/// \endcond
-
-#if defined(__clang__)
-#pragma clang diagnostic pop
-#endif
+}  // namespace timestep

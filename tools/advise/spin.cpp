@@ -1,65 +1,21 @@
-#pragma once
-/// \file
-/// Can one step raise the energy of my spinning body? For an inertia and a rate of spin, what every
-/// way to treat the gyroscopic torque can do at a given step, in the worst direction (N51, I13).
+// Can one step raise the energy of my spinning body? What every way to treat the gyroscopic torque can do at a given
+// step, in the worst direction.
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <string>
-#include <vector>
 
-#include "advise.hpp"
 #include <timestep/gyroscopic.hpp>
-#include <timestep/inline.hpp>
+
+#include "advise_body.hpp"
+#include "method_on_spring.hpp"
 
 namespace timestep {
-
-/// What one solver can make of a spinning body.
-struct SpinAdvice {
-    std::string method;          ///< its name
-    Verdict verdict;             ///< grows: in some direction of the spin one step raises the energy
-    std::string reason;          ///< why, with numbers
-    double worst_gain;           ///< the largest energy after a step over that before, of all directions;
-                                 ///< infinite where it has no bound: worst_spin then gains much
-    Vector3<double> worst_spin;  ///< the spin that gains it, rad/s in body coordinates
-    double longest_step;         ///< the longest step with which no direction gains, s; infinite for no limit
-    double cost;                 ///< torques and solves in a second of game time
-};
-
-/// The energy after one step of `h` seconds over the energy before, for a body that spins with
-/// `omega`, rad/s in body coordinates. It depends on the ratios of the moments only.
-template <class Solver>
-double energy_gain(const Solver& solver, const PrincipalInertia<double>& any_size, const Vector3<double>& omega,
-                   double h) {
-    const PrincipalInertia<double> inertia = any_size.scaled_to_one();
-    if constexpr (requires { solver.step(inertia, omega, h); }) {  // in body coordinates, as it is
-        const Vector3<double> next = solver.step(inertia, omega, h);
-        return kinetic_energy(inertia, next) / kinetic_energy(inertia, omega);
-    } else {
-        const RigidState<double> before{0, Quaternion<double>::Identity(), omega};
-        const RigidState<double> after = step_rotation(solver, inertia, before, h);
-        return kinetic_energy(inertia, after) / kinetic_energy(inertia, before);
-    }
-}
-
-/// \cond
-namespace detail {
-
-// A step whose energy rises by so much is no roundoff.
-inline constexpr double more_than_roundoff = 1e-12;
-
-struct Worst {
-    double gain = 0;
-    Vector3<double> direction = Vector3<double>::UnitX();
-};
 
 // The direction in which a step gains most, or one that gains more than `enough`. Turning the body
 // half round an axis changes two signs of ω and nothing else, so two octants are all there are: ω₁,
 // ω₂ > 0 with either sign of ω₃. A net of directions, finer near the axes, where a gain begins as a
 // small share of a small wobble; then, from the best of them, smaller and smaller moves.
-inline Worst worst_direction(const std::function<double(const Vector3<double>&)>& gain_towards, double enough) {
+Worst worst_direction(const std::function<double(const Vector3<double>&)>& gain_towards, double enough) {
     using V = Vector3<double>;
     Worst worst;
     const auto look = [&](const V& way) {
@@ -96,20 +52,12 @@ inline Worst worst_direction(const std::function<double(const Vector3<double>&)>
     }
     return worst;
 }
-template <class Solver>
-Worst worst_direction(const Solver& solver, const PrincipalInertia<double>& inertia, double h, double spin,
-                      double enough = std::numeric_limits<double>::infinity()) {
-    const auto gain = [&](const Vector3<double>& direction) {
-        return energy_gain(solver, inertia, Vector3<double>(spin * direction), h);
-    };
-    return worst_direction(gain, enough);
-}
 
 // The longest step of the talk's iteration with which no direction gains. With three different
 // moments the first gains begin close to the intermediate axis, where h|ω| = √(I₁I₃)/(I₃ − I₁), I₁
 // the least and I₃ the largest moment. That was found by search, not proved: over random bodies no
 // direction gains a thousandth below it, and some direction does a thousandth above.
-inline double longest_safe_step(const PrincipalInertia<double>& inertia, double spin) {
+double longest_safe_step(const PrincipalInertia<double>& inertia, double spin) {
     const Vector3<double>& I = inertia.unit;
     const double least = I.minCoeff(), most = I.maxCoeff();
     return std::sqrt(least) * std::sqrt(most) / (most - least) / spin;
@@ -121,13 +69,31 @@ inline double longest_safe_step(const PrincipalInertia<double>& inertia, double 
 // where u, v and w have the signs that make the last term what it is. As |2uw| ≤ u² + w² it is at
 // least (1 − |v|)(1 + |v| + u² + w²), above zero for |v| < 1; at v = 1 it is (u − w)², zero at u =
 // w.
-inline double unbounded_step(const PrincipalInertia<double>& inertia, double spin) {
+double unbounded_step(const PrincipalInertia<double>& inertia, double spin) {
     const Vector3<double>& a = inertia.ratio;
     // Of the three products only a₁a₃ is above zero.
     return 1 / std::sqrt(std::max({a.x() * a.y(), a.y() * a.z(), a.z() * a.x()})) / spin;
 }
 
-inline SpinAdvice spin_advice(const char* method, double h, int work) {
+bool no_torque(const PrincipalInertia<double>& inertia) { return (inertia.ratio.array() == 0).all(); }
+
+namespace {
+
+template <class Solver>
+double energy_gain(const Solver& solver, const PrincipalInertia<double>& any_size, const Vector3<double>& omega,
+                   double h) {
+    const PrincipalInertia<double> inertia = any_size.scaled_to_one();
+    if constexpr (requires { solver.step(inertia, omega, h); }) {  // in body coordinates, as it is
+        const Vector3<double> next = solver.step(inertia, omega, h);
+        return kinetic_energy(inertia, next) / kinetic_energy(inertia, omega);
+    } else {
+        const RigidState<double> before{0, Quaternion<double>::Identity(), omega};
+        const RigidState<double> after = step_rotation(solver, inertia, before, h);
+        return kinetic_energy(inertia, after) / kinetic_energy(inertia, before);
+    }
+}
+
+SpinAdvice spin_advice(const char* method, double h, int work) {
     const double infinity = std::numeric_limits<double>::infinity();
     return {method, Verdict::stable, "", 1, Vector3<double>::Zero(), infinity, work / h};
 }
@@ -135,7 +101,9 @@ inline SpinAdvice spin_advice(const char* method, double h, int work) {
 template <class Solver>
 void find_worst(SpinAdvice& advice, const Solver& solver, const PrincipalInertia<double>& inertia, double spin,
                 double h) {
-    const Worst worst = worst_direction(solver, inertia, h * spin, 1);  // |ω| may be any size
+    const Worst worst = worst_direction([&](const Vector3<double>& direction) {
+        return energy_gain(solver, inertia, Vector3<double>(direction), h * spin);  // |ω| may be any size
+    });
     advice.worst_gain = std::max(worst.gain, 1.0);
     advice.worst_spin = spin * worst.direction;
     if (advice.verdict != Verdict::grows || worst.gain > 1 + more_than_roundoff) return;
@@ -143,40 +111,36 @@ void find_worst(SpinAdvice& advice, const Solver& solver, const PrincipalInertia
     advice.reason += "; here less than 1e-12 of the energy, lost in roundoff";
 }
 
-inline bool no_torque(const PrincipalInertia<double>& inertia) { return (inertia.ratio.array() == 0).all(); }
-
-TIMESTEP_WHERE_CALLED
-SpinAdvice advise_spin(const ExplicitGyroscopic& solver, const PrincipalInertia<double>& inertia, double spin,
-                       double h) {
+// A solver that adds energy at every step where there is a torque.
+template <class Solver>
+SpinAdvice judge_adding(const Solver& solver, const PrincipalInertia<double>& inertia, double spin, double h,
+                        const char* why) {
     SpinAdvice advice = spin_advice(solver.name, h, 1);
     if (no_torque(inertia)) return advice.reason = "equal moments: no gyroscopic torque", advice;
     advice.verdict = Verdict::grows;
     advice.longest_step = 0;
-    advice.reason = "each step adds h²/2 |I^(−1/2) (ω × Iω)|²";
+    advice.reason = why;
     find_worst(advice, solver, inertia, spin, h);
     return advice;
 }
 
-TIMESTEP_WHERE_CALLED
-SpinAdvice advise_spin(const LaggedInertia& solver, const PrincipalInertia<double>& inertia, double spin, double h) {
-    SpinAdvice advice = spin_advice(solver.name, h, 1);
-    if (no_torque(inertia)) return advice.reason = "equal moments: no gyroscopic torque", advice;
-    advice.verdict = Verdict::grows;
-    advice.longest_step = 0;
-    advice.reason = "keeps |L|; the energy may rise up to L² / (2 I_min)";
-    find_worst(advice, solver, inertia, spin, h);
-    return advice;
+SpinAdvice judge_spin(const ExplicitGyroscopic& solver, const PrincipalInertia<double>& inertia, double spin,
+                      double h) {
+    return judge_adding(solver, inertia, spin, h, "each step adds h²/2 |I^(−1/2) (ω × Iω)|²");
 }
 
-inline SpinAdvice advise_spin(const NoGyroscopic& solver, const PrincipalInertia<double>&, double, double h) {
+SpinAdvice judge_spin(const LaggedInertia& solver, const PrincipalInertia<double>& inertia, double spin, double h) {
+    return judge_adding(solver, inertia, spin, h, "keeps |L|; the energy may rise up to L² / (2 I_min)");
+}
+
+SpinAdvice judge_spin(const NoGyroscopic& solver, const PrincipalInertia<double>&, double, double h) {
     SpinAdvice advice = spin_advice(solver.name, h, 0);
     advice.reason = "ω stands still: no energy is added, and nothing tumbles";
     return advice;
 }
 
-TIMESTEP_WHERE_CALLED
-SpinAdvice advise_spin(const ImplicitGyroscopic& solver, const PrincipalInertia<double>& inertia, double spin,
-                       double h) {
+SpinAdvice judge_spin(const ImplicitGyroscopic& solver, const PrincipalInertia<double>& inertia, double spin,
+                      double h) {
     SpinAdvice advice = spin_advice(solver.name, h, 2);
     if ((inertia.ratio.array() == 0).any())
         return advice.reason = "two equal moments: the equations are linear, one iteration solves them", advice;
@@ -192,31 +156,43 @@ SpinAdvice advise_spin(const ImplicitGyroscopic& solver, const PrincipalInertia<
     return advice;
 }
 
-inline SpinAdvice advise_spin(const ConvergedGyroscopic& solver, const PrincipalInertia<double>&, double, double h) {
+SpinAdvice judge_spin(const ConvergedGyroscopic& solver, const PrincipalInertia<double>&, double, double h) {
     SpinAdvice advice = spin_advice(solver.name, h, 0);
     advice.cost = std::numeric_limits<double>::quiet_NaN();  // as many iterations as it takes
     advice.reason = "E₂ − E₁ = −½ (ω₂ − ω₁)·I(ω₂ − ω₁) for every step";
     return advice;
 }
 
-inline SpinAdvice advise_spin(const PassiveGyroscopic& solver, const PrincipalInertia<double>&, double, double h) {
+SpinAdvice judge_spin(const PassiveGyroscopic& solver, const PrincipalInertia<double>&, double, double h) {
     SpinAdvice advice = spin_advice(solver.name, h, 2);
     advice.reason = "|√I ω| never grows: with s = √I ω the step is s₂ − k × s₂ = s₁";
     return advice;
 }
 
-}  // namespace detail
-/// \endcond
+}  // namespace
 
-/// What every solver of chapter 5 makes of a body that spins with `spin` rad/s, in any direction,
-/// at steps of `h` seconds. The verdict is whether one step can raise the kinetic energy.
-///
-/// The direction that gains most is searched for. Gains of less than 1e-12 are roundoff: where a
-/// step adds energy, but no more than that, it is too close to call.
-///
-/// Throws `std::invalid_argument` where spin or step is not above zero and finite, or their
-/// product, or where spin or product is above 1e50: some of the solvers' products would overflow.
-TIMESTEP_WHERE_CALLED
+const std::vector<GyroscopicSolver>& gyroscopic_solvers() {
+    static const std::vector<GyroscopicSolver> all = [] {
+        std::vector<GyroscopicSolver> made;
+        for_each_gyroscopic([&](const auto& solver) {
+            made.push_back(
+                {solver.name,
+                 [=](const auto& inertia, double spin, double h) { return judge_spin(solver, inertia, spin, h); },
+                 [=](const auto& inertia, const auto& omega, double h) {
+                     return energy_gain(solver, inertia, omega, h);
+                 }});
+        });
+        return made;
+    }();
+    return all;
+}
+
+const GyroscopicSolver& gyroscopic_solver(std::string_view name) {
+    for (const GyroscopicSolver& each : gyroscopic_solvers())
+        if (name == each.name) return each;
+    refuse("there is no gyroscopic solver \"" + std::string(name) + "\"");
+}
+
 std::vector<SpinAdvice> advise_spin(const PrincipalInertia<double>& inertia, double spin, double h) {
     positive("spin", spin);
     positive("step", h);
@@ -224,7 +200,7 @@ std::vector<SpinAdvice> advise_spin(const PrincipalInertia<double>& inertia, dou
     if (spin > 1e50) refuse("spin", spin, "at most 1e50");
     if (h * spin > 1e50) refuse("step times spin", h * spin, "at most 1e50");
     std::vector<SpinAdvice> all;
-    for_each_gyroscopic([&](const auto& solver) { all.push_back(detail::advise_spin(solver, inertia, spin, h)); });
+    for (const GyroscopicSolver& solver : gyroscopic_solvers()) all.push_back(solver.judge(inertia, spin, h));
     return all;
 }
 

@@ -1,28 +1,21 @@
-#pragma once
-/// \file
-/// A damper and nothing else: what every method makes of a velocity that decays at the rate c/m
-/// (I13).
+// A damper and nothing else: what every method makes of a velocity that decays at the rate c/m.
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
-#include <string>
-#include <string_view>
-#include <vector>
 
-#include "advise_recommend.hpp"
+#include <timestep/checks.hpp>
+
+#include "method_on_spring.hpp"
 
 #if defined(__clang__)  // what is long double here is meant to be
-#pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wdouble-promotion"
 #endif
 
 namespace timestep {
 
-/// \cond
-namespace detail {
+namespace {
 
 // a = −v: time is measured in m/c.
 struct DamperAlone {
@@ -33,7 +26,7 @@ struct DamperAlone {
 
 // A method on it, its type forgotten. `start` is what the first step multiplies the velocity by,
 // `factor` every later one.
-struct JudgedDamper {
+struct MethodOnDamper {
     const char* name;
     int work;
     bool takes_damping;
@@ -42,7 +35,7 @@ struct JudgedDamper {
 };
 
 template <class Method>
-JudgedDamper judged_damper(const Method& method) {
+MethodOnDamper on_damper(const Method& method) {
     const int work = method.cost.evaluations + method.cost.solves;
     if constexpr (!Method::takes_damping) {
         return {method.name, work, false, 0, {}, {}};
@@ -52,8 +45,8 @@ JudgedDamper judged_damper(const Method& method) {
             const auto& stepping = when_step_changes(method);  // BDF2 starts with implicit midpoint
             return stepping.step(DamperAlone{}, State<long double>{0, 0, 1}, z).v;
         };
-        JudgedDamper made{method.name, work, true, limit < 1e9 ? limit : std::numeric_limits<double>::infinity(),
-                          first,       first};
+        MethodOnDamper made{method.name, work, true, limit < 1e9 ? limit : std::numeric_limits<double>::infinity(),
+                            first,       first};
         // Of BDF2's two factors, 1/(2 ± √(1 − 2z)), the larger; beyond z = 1/2 the size of both.
         if constexpr (std::is_same_v<Method, Bdf2>)
             made.factor = [](long double z) {
@@ -63,20 +56,16 @@ JudgedDamper judged_damper(const Method& method) {
     }
 }
 
-TIMESTEP_WHERE_CALLED
-std::vector<JudgedDamper> judged_dampers() {
-    std::vector<JudgedDamper> all;
-    const auto add = [&](const auto& method) { all.push_back(judged_damper(method)); };
-    for_each_method(add);
-    add(semi_implicit_euler_new_damping);
-    for_each_verlet_method(add);
+std::vector<MethodOnDamper> methods_on_damper() {
+    std::vector<MethodOnDamper> all;
+    for_each_spring_method([&](const auto& method) { all.push_back(on_damper(method)); });
     return all;
 }
 
 // The largest error of the velocity, over the first one, until 2π m/c; eight steps where fewer than
 // three fit.
-inline double damper_error(const JudgedDamper& method, double z) {
-    const double fit = std::floor(2 * std::numbers::pi / z * (1 + 1e-12));
+double damper_error(const MethodOnDamper& method, double z) {
+    const double fit = std::floor(2 * 3.141592653589793 / z * (1 + 1e-12));
     const bool two_steps = std::string_view(method.name) == bdf2.name;
     const long double first = method.start(z), factor = method.factor(z);
     long double most = rounded / z;
@@ -102,7 +91,7 @@ inline double damper_error(const JudgedDamper& method, double z) {
 }
 
 // How wrong the rate of the decay is; NaN where the velocity turns its sign.
-inline double damper_rate_error(const JudgedDamper& method, double z) {
+double damper_rate_error(const MethodOnDamper& method, double z) {
     const long double factor = method.factor(z);
     return factor > 0 ? static_cast<double>(std::abs(-std::log(factor) / z - 1))
                       : std::numeric_limits<double>::quiet_NaN();
@@ -110,7 +99,7 @@ inline double damper_rate_error(const JudgedDamper& method, double z) {
 
 // The end of the stretch of right ch/m. It begins below 2 `wanted`: a method of order one is off by
 // z/(2e) there.
-inline double right_damper_step(const JudgedDamper& method, double wanted) {
+double right_damper_step(const MethodOnDamper& method, double wanted) {
     const auto good = [&](double z) {
         return verdict(z, method.limit) == Verdict::stable && method.factor(z) >= rings_below &&
                damper_error(method, z) <= wanted;
@@ -124,7 +113,7 @@ inline double right_damper_step(const JudgedDamper& method, double wanted) {
     return low;
 }
 
-inline Advice advise_damper(const JudgedDamper& method, double rate, double h, double wanted) {
+Advice advise_damper(const MethodOnDamper& method, double rate, double h, double wanted) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), z = rate * h;
     if (!method.takes_damping)
         return {
@@ -159,58 +148,44 @@ inline Advice advise_damper(const JudgedDamper& method, double rate, double h, d
     return advice;
 }
 
-}  // namespace detail
-/// \endcond
+}  // namespace
 
-/// What every method makes of a velocity that a damper alone slows down, v' = −rate v with `rate` =
-/// c/m in 1/s, at steps of `h` seconds. Advice::position_error is that of the **velocity** here:
-/// the largest error, over the velocity at the start, until 2π/rate. The exact step multiplies it
-/// by e^(−h rate). Throws `std::invalid_argument` where the rate or the step is not above zero and
-/// finite, their product is not from 1e-12 to 1e12, or `wanted` is not from 1e-8 to 0.5.
-TIMESTEP_WHERE_CALLED
-std::vector<Advice> advise_damper(double rate, double h, double wanted = 0.01) {
+std::vector<Advice> advise_damper(double rate, double h, double wanted) {
     positive("damping over mass", rate);
     positive("step", h);
     if (!(rate * h >= 1e-12 && rate * h <= 1e12))
         refuse("step times damping over mass", rate * h, "from 1e-12 to 1e12");
     if (!(wanted >= 1e-8 && wanted <= 0.5)) refuse("accuracy", wanted, "from 1e-8 to 0.5");
     std::vector<Advice> all;
-    for (const auto& method : detail::judged_dampers()) all.push_back(detail::advise_damper(method, rate, h, wanted));
+    for (const auto& method : methods_on_damper()) all.push_back(advise_damper(method, rate, h, wanted));
     return all;
 }
 
-/// The answer for a damper alone: down the list of which_method.hpp, or, asked for an accuracy, the
-/// method that reaches it at the least cost in whole substeps of `h`.
-TIMESTEP_WHERE_CALLED
-Recommendation recommend_damper(double rate, double h, const Wish& wish, const std::vector<Advice>& all) {
-    const Choice& row = choice(wish.precise ? "smooth" : rate * h > ended_swing ? "pull" : "swing");
-    Recommendation made{&row, 1, row.method, row.take, row.why};
+Recommendation recommend_damper(double rate, double h, const Goal& goal, const std::vector<Advice>& all) {
+    const Choice& row = choice(goal.precise ? "smooth" : rate * h > ended_swing ? "pull" : "swing");
+    Recommendation made{&row, place_of_choice(row), 1, row.method, row.take, row.why};
     if (row.name == "swing") {
         made.take = "**semi-implicit Euler**, with the damping at the new velocity";
         made.why = "one division per step, by 1 + hc/m, which no damping makes unstable";
     }
-    if (wish.precise) {
+    if (goal.precise) {
         double least = std::numeric_limits<double>::infinity();
-        for (const Advice& each : all) {
-            const double step = best_step(each, h);
-            const long n = step > 0 ? detail::pieces(h, step) : 0;
-            if (n == 0 || !(each.cost * double(n) < least)) continue;
-            least = each.cost * double(n), made.substeps = n, made.method = each.method;
+        for (std::size_t place = 0; place < all.size(); ++place) {
+            const double step = best_step(all[place], h);
+            const long n = step > 0 ? pieces(h, step) : 0;
+            if (n == 0 || !(all[place].cost * double(n) < least)) continue;
+            least = all[place].cost * double(n), made.substeps = n, made.place = place;
         }
+        made.method = all[made.place].method;
         made.take = "**" + made.method + "**",
         made.why = "as accurate as you asked, at the least cost in whole substeps";
         if (std::isinf(least)) made.substeps = 0;
     }
-    for (const auto& method : detail::judged_dampers()) {
-        if (made.method != method.name || made.substeps == 0) continue;
-        const double z = rate * h / double(made.substeps);
-        made.position_error = detail::damper_error(method, z), made.rate_error = detail::damper_rate_error(method, z);
-    }
+    if (made.substeps == 0) return made;
+    const MethodOnDamper method = methods_on_damper()[made.place];
+    const double z = rate * h / double(made.substeps);
+    made.position_error = damper_error(method, z), made.rate_error = damper_rate_error(method, z);
     return made;
 }
 
 }  // namespace timestep
-
-#if defined(__clang__)
-#pragma clang diagnostic pop
-#endif
