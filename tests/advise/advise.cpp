@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include <timestep/models/spring.hpp>
+#include <timestep/multipliers.hpp>
+
 #include "advise.hpp"
 #include <timestep/run.hpp>
 

@@ -42,7 +42,7 @@ TEST_CASE("the half-step Jacobian's bound is reached, and 2/sqrt(c) is where it 
         body.moments.minCoeff(&least), body.moments.maxCoeff(&most);
         Vector way = Vector::Constant(1e-3);
         way[3 - least - most] = 1;
-        const auto said = [&](double turn) { return on_spring(tumble<HalfStepJacobian>, {1, 1, 0}, body, turn, 1); };
+        const auto said = [&](double turn) { return body_solver(HalfStepJacobian::name).judge(body, turn, 1, true); };
         const double end = said(1).longest_step;
         for (const double part : {0.1, 0.5, 0.9}) {
             const BodyAdvice advice = said(part * end);
@@ -61,7 +61,7 @@ TEST_CASE("the half-step Jacobian's bound is reached, and 2/sqrt(c) is where it 
 TEST_CASE("that bound is a constant step's: by uneven frames it is passed", "[library][I13]") {
     const Frames uneven(1.0 / 120, 1.0 / 60);
     const double spin = 30;
-    const BodyAdvice even = on_spring(tumble<HalfStepJacobian>, {1, 1, 0}, ruler, spin, 1.0 / 60);
+    const BodyAdvice even = body_solver(HalfStepJacobian::name).judge(ruler, spin, 1.0 / 60, true);
     REQUIRE(even.adds == AddsEnergy::bounded);
     CHECK(of(advise_body(ruler, Vector(0, 30, 0), uneven), "half-step Jacobian").adds == AddsEnergy::one_step_can);
     questions::Random random(4);

@@ -175,7 +175,7 @@ const Advice* cheapest(const std::vector<Advice>& all, double longest = std::num
 
 /// The advice on one method.
 template <class Method>
-const Advice& of(const std::vector<Advice>& all, const Method&) {
+const Advice& advice_on(const std::vector<Advice>& all, const Method&) {
     return all[place_of<Method>];
 }
 

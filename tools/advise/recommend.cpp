@@ -122,10 +122,10 @@ Recommendation recommend_for_frames(const Asked& asked) {
     };
     const auto holds = [](const Advice& each) { return each.verdict == Verdict::stable && each.ringing == 0; };
     const std::string falls = "in no step does the energy rise, however frames follow each other";
-    if (asked.goal.keeps_size && holds(of(asked.all, implicit_midpoint)))
+    if (asked.goal.keeps_size && holds(advice_on(asked.all, implicit_midpoint)))
         return taken(implicit_midpoint, 1,
                      "however frames follow each other, an oscillation keeps its size but for what the damper takes");
-    if (!asked.goal.keeps_size && of(asked.all, implicit_euler).right) return taken(implicit_euler, 1, falls);
+    if (!asked.goal.keeps_size && advice_on(asked.all, implicit_euler).right) return taken(implicit_euler, 1, falls);
     const long least = pieces(asked.turn(), alive_turn);
     const auto substeps = [&](std::size_t place) {  // as few as hold; 0: too many
         for (long n = std::max(1L, least); least && n <= few_substeps; ++n)
@@ -226,7 +226,7 @@ Recommendation recommend(SpringScene scene, double h, const Goal& goal, const st
         return made.substeps == 0 ? Advice{} : asked.in_substeps(made.place, made.substeps, goal.accuracy);
     };
     Advice at = at_its_substeps();
-    const Advice& safe = of(all, implicit_euler);
+    const Advice& safe = advice_on(all, implicit_euler);
     const bool sight = !goal.precise && !goal.keeps_size && !scene.only_pulls && !scene.varying();
     if (sight && !at.right && safe.right && !scene.is_net &&
         (made.substeps == 0 || safe.cost <= all[made.place].cost * double(made.substeps))) {
