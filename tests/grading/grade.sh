@@ -106,13 +106,14 @@ test_a_submission_sees_nothing_but_itself() {
         const int folder = open(place, O_TMPFILE | O_WRONLY, 0600);
         if (folder >= 0) std::printf("writes in %s\n", place);
     }
-    if (socket(AF_INET, SOCK_STREAM, 0) >= 0) std::puts("has a socket");
+    sockaddr_in away{AF_INET, htons(9), {htonl(0xc0000201)}, {}};  // 192.0.2.1, to which there is a route where there is a network
+    if (connect(socket(AF_INET, SOCK_DGRAM, 0), reinterpret_cast<sockaddr*>(&away), sizeof away) == 0) std::puts("has a network");
 CODE
     expect 1 course grade class
     for name in alice dave erin frank; do is "$name $(verdict_of $name)" "$name pass"; done
     for name in dave erin frank; do
         case $(says_of $name) in
-        *sees* | *writes* | *socket* | *HOME* | *STAGE* | *'parent 1'* | *'files 1'*)
+        *sees* | *writes* | *network* | *HOME* | *STAGE* | *'parent 1'* | *'files 1'*)
             fail "$(says_of $name)" ;;
         esac
     done
