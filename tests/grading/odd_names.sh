@@ -9,7 +9,7 @@ test_names_that_differ_stay_different() {
     rm -r class/*
     i=0
     for name in '\377' '\\\\xff' '\\\\\\\\xff' '\376' 'u\342\200\256v' 'u?v' '\357\277\276' '\357\277\277' 'tab\t' \
-        'tab\\\\t' 'tab ' 'tab' 'new\nline' '=1' "'=1" 'a&b' 'a&amp;b' '"q"' '\033[2J'; do
+        'tab\\\\t' 'tab ' 'tab' 'new\nline' '=1' "'=1" 'a&b' 'a&amp;b' '"q"' '\033[2J' 'cr\r'; do
         i=$((i + 1))
         name=$(printf "$name."; )  # a command's value loses the newlines at its end
         hand_in "${name%.}" "$(if [ $((i % 2)) -eq 0 ]; then echo $solved; else echo $stub; fi)"
