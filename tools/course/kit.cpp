@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What is handed out unchanged: folders, and how the names of their files end. Nothing else is handed out.
+// What is handed out unchanged: folders without their tests, and how the names of their files end.
 struct Part {
     const char* folder;
     std::vector<std::string> endings;
@@ -124,7 +124,8 @@ void write_kit(const Kit& kit, bool with_solutions) {
     const fs::path& source = paths().source;
     for (const auto& part : parts)
         for (const fs::path& file : files_in(source / part.folder))
-            if (std::any_of(part.endings.begin(), part.endings.end(),
+            if (*file.begin() != "tests" &&
+                std::any_of(part.endings.begin(), part.endings.end(),
                             [&](const auto& ending) { return file.filename().string().ends_with(ending); }))
                 kit.copy(source / part.folder / file, part.folder / file);
     for (const auto& file : single_files) kit.copy(source / file, file);
