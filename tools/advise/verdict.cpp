@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #if defined(__clang__)  // what is long double here is meant to be
@@ -144,7 +145,7 @@ Growth random_products(const std::vector<StepMatrix<double>>& steps) {
     std::mt19937_64 numbers(18);
     double sum = 0, squares = 0;
     for (int k = 0; k < runs; ++k) {
-        const double angle = 2 * 3.141592653589793 * k / runs;
+        const double angle = 2 * std::numbers::pi * k / runs;
         double x = std::cos(angle), v = std::sin(angle), log_size = 0;
         for (int n = -warm_up; n < count; ++n) {
             if (n == 0) {  // by now it has turned into the direction that grows
