@@ -105,7 +105,7 @@ struct TurningByRungeKutta {
     void step(double h) { s = timestep::orientation_scaled(timestep::runge_kutta_4.step(model, s, h)); }
     void count(Work& work, double h) const {
         const auto counted = [&](double t, const auto& y) { return ++work.evaluations, model(t, y); };
-        timestep::runge_kutta_4.step(counted, s, h);
+        static_cast<void>(timestep::runge_kutta_4.step(counted, s, h));
     }
     Place place() const { return contest::place<double>(unstacked(s).q.toRotationMatrix()); }
     double number() const { return s.y[3]; }
