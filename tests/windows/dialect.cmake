@@ -32,6 +32,7 @@ list(TRANSFORM named PREPEND "${ROOT}/")
 list(TRANSFORM sources PREPEND "${ROOT}/")
 file(GLOB named ${named})
 file(GLOB sources ${sources})
+list(FILTER sources EXCLUDE REGEX "/does_not_compile/")
 list(FILTER sources EXCLUDE REGEX "/tools/lab/options[.]cpp$")  # the one that reads CLI11
 list(FILTER sources EXCLUDE REGEX "/engines/tests/(bullet_adapter|ode_adapter|patches|record)[.]cpp$")  # Linux alone has them
 file(GLOB_RECURSE headers RELATIVE "${include}" "${include}/*.hpp" "${include}/timestep/*.h")
