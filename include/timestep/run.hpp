@@ -44,15 +44,16 @@ struct RunTypes {
 /// `observe(state)` with the start and after each step.
 ///
 /// The inputs are checked once, here. Throws `std::invalid_argument` if the step is not a finite
-/// number above zero, the count is negative or the start is not finite. A method whose formulas
-/// hold more than that, such as h² or an implicit step's divisor, has a member `check_step(model,
-/// start, h)`, which is called here too. The result may be infinite or NaN, because some methods
-/// blow up: ask is_finite(), or use checked_run().
+/// number above zero with a finite square, the count is negative or the start is not finite. A
+/// method whose formulas hold more than that, such as an implicit step's divisor, has a member
+/// `check_step(model, start, h)`, which is called here too. The result may be infinite or NaN,
+/// because some methods blow up: ask is_finite(), or use checked_run().
 template <class Method, class Model, class S, class Count, class Observe>
 S run(const Method& method, const Model& model, const S& start, real_of<S> h, Count steps,
       Observe&& observe) {
     [[maybe_unused]] const detail::RunTypes<Method, Model, S, Count, Observe> types_fit;
     positive("step", h);
+    if (!is_finite(h * h)) refuse("step", h, "so short that its square is finite");
     not_negative("steps", static_cast<double>(steps));
     if (!is_finite(start)) refuse("start: must be a finite state");
     if constexpr (requires { method.check_step(model, start, h); })

@@ -31,12 +31,6 @@ struct ConstantAcceleration {
         const X v2 = v1 + h * a1;
         return {t1 + h, x2, v2};
     }
-
-    /// Refuses a step whose square is too large for a number.
-    template <class Model, class X>
-    void check_step(const Model&, const State<X>&, real_of<X> h) const {
-        if (!is_finite(h * h)) refuse("step", h, "so short that its square is finite");
-    }
 };
 
 inline constexpr ConstantAcceleration constant_acceleration;  ///< the method as a value

@@ -56,12 +56,6 @@ struct VelocityVerlet {
                                                              const State<X>& state) const {
         return {state, acceleration(model, state.x)};
     }
-
-    /// Refuses a step whose square is too large for a number.
-    template <class Model, class X>
-    void check_step(const Model&, const State<X>&, real_of<X> h) const {
-        if (!is_finite(h * h)) refuse("step", h, "so short that its square is finite");
-    }
 };
 
 inline constexpr VelocityVerlet velocity_verlet;  ///< the method as a value

@@ -78,12 +78,6 @@ struct Verlet {
         return {state1.t + h2, x2, (x2 - x1) / h2 + h2 / 2 * a1};
     }
     /// [corrected]
-
-    /// Refuses a step whose square is too large for a number.
-    template <class Model, class X>
-    void check_step(const Model&, const State<X>&, real_of<X> h) const {
-        if (!is_finite(h * h)) refuse("step", h, "so short that its square is finite");
-    }
 };
 
 inline constexpr Verlet verlet;  ///< the method as a value

@@ -43,7 +43,6 @@ long double growth(long double zeta, long double s) {
 // What is known of a method, whatever it steps.
 struct Known {
     bool is_implicit, is_midpoint;  // the second: implicit midpoint
-    bool squares_step;              // h² stands in its formulas
     double (*limit)(double zeta);
     long double (*growth)(long double zeta, long double s);
     Complex (*factor)(Complex z);  // R(z), null where there is none
@@ -53,8 +52,6 @@ struct Known {
         : is_implicit(std::is_same_v<Method, ImplicitEuler> || std::is_same_v<Method, Bdf2> ||
                       std::is_same_v<Method, ImplicitMidpoint>),
           is_midpoint(std::is_same_v<Method, ImplicitMidpoint>),
-          squares_step(is_implicit || std::is_same_v<Method, ConstantAcceleration> ||
-                       std::is_same_v<Method, VelocityVerlet> || std::is_same_v<Method, Verlet>),
           limit([](double zeta) { return stability_limit(Method{}, zeta).value; }),
           growth(extremes::growth<Method>),
           factor(nullptr) {
