@@ -1,13 +1,26 @@
 // Misuses that must not compile, one after the other, each below its name: with MISUSE defined the first error
-// says what its line  // error:  promises; without, it compiles.
+// says what its line  // error:  promises; without, it compiles. These headers are read before each.
+#include <Eigen/Core>
+#include <timestep/methods/explicit_euler.hpp>
+#include <timestep/methods/implicit_euler.hpp>
+#include <timestep/methods/leapfrog.hpp>
+#include <timestep/methods/runge_kutta_4.hpp>
+#include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/methods/semi_implicit_euler_new_damping.hpp>
+#include <timestep/methods/velocity_verlet.hpp>
+#include <timestep/methods/verlet.hpp>
+#include <timestep/models/damped_spring.hpp>
+#include <timestep/models/projectile.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/run.hpp>
+#include <timestep/scene.hpp>
+
+using namespace timestep;
 
 // ---- acceleration not const
 // A method reads the model and does not change it, so the force must be a const member.
 // error: timestep: a model needs a const member acceleration(), acceleration(x) or acceleration(x, v)
-#include <timestep/methods/runge_kutta_4.hpp>
-#include <timestep/run.hpp>
-
-struct Spring {
+struct Pull {
 #ifdef MISUSE
     double acceleration(double x) { return -x; }
 #else
@@ -15,15 +28,12 @@ struct Spring {
 #endif
 };
 
-int main() { timestep::run(timestep::runge_kutta_4, Spring{}, timestep::State{0.0, 1.0, 0.0}, 0.1, 10); }
+int main() { run(runge_kutta_4, Pull{}, State{0.0, 1.0, 0.0}, 0.1, 10); }
 
 // ---- acceleration returns nothing
 // A force that returns nothing.
 // error: timestep: the acceleration must be what the position is: a number, or a vector of the same size
-#include <timestep/methods/semi_implicit_euler.hpp>
-#include <timestep/run.hpp>
-
-struct Spring {
+struct Pull {
 #ifdef MISUSE
     void acceleration(double) const {}
 #else
@@ -31,14 +41,11 @@ struct Spring {
 #endif
 };
 
-int main() { timestep::run(timestep::semi_implicit_euler, Spring{}, timestep::State{0.0, 1.0, 0.0}, 0.1, 10); }
+int main() { run(semi_implicit_euler, Pull{}, State{0.0, 1.0, 0.0}, 0.1, 10); }
 
 // ---- implicit system without derivative
 // The same for a first-order system.
 // error: timestep: implicit methods need the system's derivative slope_y(t, y)
-#include <timestep/methods/implicit_euler.hpp>
-#include <timestep/run.hpp>
-
 struct Decay {
     double operator()(double, double y) const { return -y; }
 #ifndef MISUSE
@@ -46,14 +53,11 @@ struct Decay {
 #endif
 };
 
-int main() { timestep::run(timestep::implicit_euler, Decay{}, timestep::FirstOrder{0.0, 1.0}, 0.1, 10); }
+int main() { run(implicit_euler, Decay{}, FirstOrder{0.0, 1.0}, 0.1, 10); }
 
 // ---- implicit without derivatives
 // An implicit method solves for the new state and needs the force's derivatives for that.
 // error: timestep: implicit methods need the force's derivatives slope_x and slope_v
-#include <timestep/methods/implicit_euler.hpp>
-#include <timestep/run.hpp>
-
 struct Cubic {
     double acceleration(double x) const { return -x * x * x; }
 #ifndef MISUSE
@@ -62,35 +66,24 @@ struct Cubic {
 #endif
 };
 
-int main() { timestep::run(timestep::implicit_euler, Cubic{}, timestep::State{0.0, 1.0, 0.0}, 0.1, 10); }
+int main() { run(implicit_euler, Cubic{}, State{0.0, 1.0, 0.0}, 0.1, 10); }
 
 // ---- leapfrog with damper
 // A damper needs a velocity, and leapfrog has none yet where it asks for the force.
 // error: timestep: Verlet has no velocity to hand to a force: it needs acceleration() or acceleration(x)
-#include <timestep/methods/leapfrog.hpp>
-#include <timestep/models/damped_spring.hpp>
-#include <timestep/models/spring.hpp>
-#include <timestep/run.hpp>
-
 int main() {
-    const timestep::State start{0.0, 1.0, 0.0};
+    const State start{0.0, 1.0, 0.0};
 #ifdef MISUSE
-    const timestep::DampedSpring model(2.0, 0.1);
+    const DampedSpring model(2.0, 0.1);
 #else
-    const timestep::Spring model(2.0);
+    const Spring model(2.0);
 #endif
-    timestep::run(timestep::leapfrog, model, start, 0.1, 10);
+    run(leapfrog, model, start, 0.1, 10);
 }
 
 // ---- model for system
 // A model of a body is no first-order system, which knows neither position nor velocity.
 // error: timestep: a first-order system needs f(t, y)
-#include <timestep/methods/runge_kutta_4.hpp>
-#include <timestep/models/spring.hpp>
-#include <timestep/run.hpp>
-
-using namespace timestep;
-
 int main() {
     const Spring spring(10.0);
 #ifdef MISUSE
@@ -103,10 +96,7 @@ int main() {
 // ---- new damping nonlinear
 // Damping at the new velocity is one division where the force is linear in the velocity, and only there.
 // error: timestep: damping at the new velocity needs a force that is linear in the velocity, with slope_v()
-#include <timestep/methods/semi_implicit_euler_new_damping.hpp>
-#include <timestep/run.hpp>
-
-struct Drag {
+struct Resistance {
 #ifdef MISUSE
     double acceleration(double, double v) const { return -v * v; }
     double slope_x(double, double) const { return 0; }
@@ -119,16 +109,13 @@ struct Drag {
 };
 
 int main() {
-    const timestep::State start{0.0, 1.0, 0.0};
-    timestep::run(timestep::semi_implicit_euler_new_damping, Drag{}, start, 0.1, 10);
+    const State start{0.0, 1.0, 0.0};
+    run(semi_implicit_euler_new_damping, Resistance{}, start, 0.1, 10);
 }
 
 // ---- no acceleration
 // A model must say what its force is.
 // error: timestep: a model needs a const member acceleration(), acceleration(x) or acceleration(x, v)
-#include <timestep/methods/explicit_euler.hpp>
-#include <timestep/run.hpp>
-
 struct Ball {
 #ifdef MISUSE
     double gravity() const { return -9.81; }
@@ -137,36 +124,23 @@ struct Ball {
 #endif
 };
 
-int main() { timestep::run(timestep::explicit_euler, Ball{}, timestep::State{0.0, 1.0, 0.0}, 0.1, 10); }
+int main() { run(explicit_euler, Ball{}, State{0.0, 1.0, 0.0}, 0.1, 10); }
 
 // ---- number for model
 // A number where a model is due.
 // error: timestep: a model needs a const member acceleration(), acceleration(x) or acceleration(x, v)
-#include <timestep/methods/semi_implicit_euler.hpp>
-#include <timestep/models/spring.hpp>
-#include <timestep/run.hpp>
-
 int main() {
 #ifdef MISUSE
     const double model = 10.0;
 #else
-    const timestep::Spring model(10.0);
+    const Spring model(10.0);
 #endif
-    timestep::run(timestep::semi_implicit_euler, model, timestep::State{0.0, 1.0, 0.0}, 0.1, 10);
+    run(semi_implicit_euler, model, State{0.0, 1.0, 0.0}, 0.1, 10);
 }
 
 // ---- scalar force in scene
 // Gravity in a scene is a vector where the position is one, as it is alone.
 // error: timestep: the acceleration must be what the position is: a number, or a vector of the same size
-#include <Eigen/Core>
-#include <timestep/methods/semi_implicit_euler.hpp>
-#include <timestep/models/projectile.hpp>
-#include <timestep/models/spring.hpp>
-#include <timestep/run.hpp>
-#include <timestep/scene.hpp>
-
-using namespace timestep;
-
 int main() {
     const State start{0.0, Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 0, 0)};
 #ifdef MISUSE
@@ -180,13 +154,6 @@ int main() {
 // ---- scalar force on vector
 // Gravity is a vector where the position is one.
 // error: timestep: the acceleration must be what the position is: a number, or a vector of the same size
-#include <Eigen/Core>
-#include <timestep/methods/semi_implicit_euler.hpp>
-#include <timestep/models/projectile.hpp>
-#include <timestep/run.hpp>
-
-using namespace timestep;
-
 int main() {
     const State start{0.0, Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 0, 0)};
 #ifdef MISUSE
@@ -200,11 +167,6 @@ int main() {
 // ---- system without f
 // A first-order system is a function of t and y.
 // error: timestep: a first-order system needs f(t, y)
-#include <timestep/methods/explicit_euler.hpp>
-#include <timestep/run.hpp>
-
-using namespace timestep;
-
 int main() {
 #ifdef MISUSE
     const auto f = [](double y) { return -y; };
@@ -217,13 +179,6 @@ int main() {
 // ---- vector force on scalar
 // Gravity is a number where the position is one.
 // error: timestep: the acceleration must be what the position is: a number, or a vector of the same size
-#include <Eigen/Core>
-#include <timestep/methods/explicit_euler.hpp>
-#include <timestep/models/projectile.hpp>
-#include <timestep/run.hpp>
-
-using namespace timestep;
-
 int main() {
     const State start{0.0, 1.0, 0.0};
 #ifdef MISUSE
@@ -237,35 +192,25 @@ int main() {
 // ---- velocity verlet with damper
 // A damper needs a velocity, and velocity verlet has none yet where it asks for the force.
 // error: timestep: Verlet has no velocity to hand to a force: it needs acceleration() or acceleration(x)
-#include <timestep/methods/velocity_verlet.hpp>
-#include <timestep/models/damped_spring.hpp>
-#include <timestep/models/spring.hpp>
-#include <timestep/run.hpp>
-
 int main() {
-    const timestep::State start{0.0, 1.0, 0.0};
+    const State start{0.0, 1.0, 0.0};
 #ifdef MISUSE
-    const timestep::DampedSpring model(2.0, 0.1);
+    const DampedSpring model(2.0, 0.1);
 #else
-    const timestep::Spring model(2.0);
+    const Spring model(2.0);
 #endif
-    timestep::run(timestep::velocity_verlet, model, start, 0.1, 10);
+    run(velocity_verlet, model, start, 0.1, 10);
 }
 
 // ---- verlet with damper
 // A damper needs a velocity, and plain Verlet keeps none.
 // error: timestep: Verlet has no velocity to hand to a force: it needs acceleration() or acceleration(x)
-#include <timestep/methods/verlet.hpp>
-#include <timestep/models/damped_spring.hpp>
-#include <timestep/models/spring.hpp>
-#include <timestep/run.hpp>
-
 int main() {
-    const timestep::State start{0.0, 1.0, 0.0};
+    const State start{0.0, 1.0, 0.0};
 #ifdef MISUSE
-    const timestep::DampedSpring model(2.0, 0.1);
+    const DampedSpring model(2.0, 0.1);
 #else
-    const timestep::Spring model(2.0);
+    const Spring model(2.0);
 #endif
-    timestep::run(timestep::verlet, model, start, 0.1, 10);
+    run(verlet, model, start, 0.1, 10);
 }

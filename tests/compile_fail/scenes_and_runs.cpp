@@ -1,13 +1,15 @@
 // Misuses that must not compile, one after the other, each below its name: with MISUSE defined the first error
-// says what its line  // error:  promises; without, it compiles.
+// says what its line  // error:  promises; without, it compiles. These headers are read before each.
+#include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/rigid/body_scene.hpp>
+#include <timestep/run.hpp>
+
+using namespace timestep;
 
 // ---- const term
 // A const type is another type, and would not be known for rolling resistance or ground.
 // error: timestep: the terms of a BodyScene are neither const nor references
-#include <timestep/rigid/body_scene.hpp>
-
-using namespace timestep;
-
 int main() {
     const Ground<double> ground(0.5);
     const RollingResistance<double> rolling(0.01);
@@ -23,15 +25,13 @@ int main() {
 // The ground carries what has pulled the body down: of a weight named after it, it would know
 // nothing, and the body would sink.
 // error: timestep: in a BodyScene Ground comes after Weight, which it has to carry
-#include <timestep/rigid/body_scene.hpp>
-
 int main() {
-    const timestep::Weight<double> weight(9.81);
-    const timestep::Ground<double> ground(0.5);
+    const Weight<double> weight(9.81);
+    const Ground<double> ground(0.5);
 #ifdef MISUSE
-    const timestep::BodyScene scene(ground, weight);
+    const BodyScene scene(ground, weight);
 #else
-    const timestep::BodyScene scene(weight, ground);
+    const BodyScene scene(weight, ground);
 #endif
     static_cast<void>(scene);
 }
@@ -39,12 +39,6 @@ int main() {
 // ---- method and model swapped
 // The method comes first, then the model.
 // error: timestep: in run(method, model, start, h, steps) this method does not step this kind of state
-#include <timestep/methods/semi_implicit_euler.hpp>
-#include <timestep/models/spring.hpp>
-#include <timestep/run.hpp>
-
-using namespace timestep;
-
 int main() {
     const Spring spring(10.0);
     const State start{0.0, 1.0, 0.0};
@@ -58,12 +52,6 @@ int main() {
 // ---- observer without state
 // Whoever watches a run is handed each state.
 // error: timestep: observe is called with each state, as in [](const auto& state) { }
-#include <timestep/methods/semi_implicit_euler.hpp>
-#include <timestep/models/spring.hpp>
-#include <timestep/run.hpp>
-
-using namespace timestep;
-
 int main() {
     int count = 0;
 #ifdef MISUSE
@@ -77,15 +65,13 @@ int main() {
 // ---- rolling before ground
 // What the ground carries is not known before the ground has acted.
 // error: timestep: in a BodyScene RollingResistance comes after Ground, whose load it needs
-#include <timestep/rigid/body_scene.hpp>
-
 int main() {
-    const timestep::Ground<double> ground(0.5);
-    const timestep::RollingResistance<double> rolling(0.01);
+    const Ground<double> ground(0.5);
+    const RollingResistance<double> rolling(0.01);
 #ifdef MISUSE
-    const timestep::BodyScene scene(rolling, ground);
+    const BodyScene scene(rolling, ground);
 #else
-    const timestep::BodyScene scene(ground, rolling);
+    const BodyScene scene(ground, rolling);
 #endif
     static_cast<void>(scene);
 }
@@ -93,15 +79,13 @@ int main() {
 // ---- rolling without ground
 // Rolling resistance needs a ground to roll on: without one it would do nothing.
 // error: timestep: in a BodyScene RollingResistance comes after Ground, whose load it needs
-#include <timestep/rigid/body_scene.hpp>
-
 int main() {
-    const timestep::Weight<double> weight(9.81);
-    const timestep::RollingResistance<double> rolling(0.01);
+    const Weight<double> weight(9.81);
+    const RollingResistance<double> rolling(0.01);
 #ifdef MISUSE
-    const timestep::BodyScene scene(weight, rolling);
+    const BodyScene scene(weight, rolling);
 #else
-    const timestep::BodyScene scene(weight, timestep::Ground<double>(0.5), rolling);
+    const BodyScene scene(weight, Ground<double>(0.5), rolling);
 #endif
     static_cast<void>(scene);
 }
@@ -109,12 +93,6 @@ int main() {
 // ---- step and steps swapped
 // The length of a step comes first, then how many of them.
 // error: timestep: in run(method, model, start, h, steps) steps is a whole number
-#include <timestep/methods/semi_implicit_euler.hpp>
-#include <timestep/models/spring.hpp>
-#include <timestep/run.hpp>
-
-using namespace timestep;
-
 int main() {
     const Spring spring(10.0);
     const State start{0.0, 1.0, 0.0};

@@ -1,18 +1,29 @@
 // Misuses that must not compile, one after the other, each below its name: with MISUSE defined the first error
-// says what its line  // error:  promises; without, it compiles.
+// says what its line  // error:  promises; without, it compiles. These headers are read before each.
+#include <Eigen/Core>
+#include <timestep/gyroscopic/calm_half_step.hpp>
+#include <timestep/methods/explicit_euler.hpp>
+#include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/models/projectile.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/rigid/ball_and_remainder.hpp>
+#include <timestep/rigid/body.hpp>
+#include <timestep/rigid/inertia.hpp>
+#include <timestep/rigid/omega.hpp>
+#include <timestep/run.hpp>
+#include <timestep/state.hpp>
+
+using namespace timestep;
 
 // ---- expression as state
 // An Eigen expression refers to its operands and would outlive them.
 // error: timestep: a state holds vectors, not Eigen expressions of them: State<Eigen::Vector3d>
-#include <Eigen/Core>
-#include <timestep/state.hpp>
-
 int main() {
     const Eigen::Vector3d x(1, 2, 3);
 #ifdef MISUSE
-    const timestep::State<decltype(x + x)> start{0.0, x + x, x + x};
+    const State<decltype(x + x)> start{0.0, x + x, x + x};
 #else
-    const timestep::State start{0.0, x + x, x + x};
+    const State start{0.0, x + x, x + x};
 #endif
     return start.x.x() > 2;
 }
@@ -20,13 +31,11 @@ int main() {
 // ---- integer first order
 // Whole numbers would round every step to nothing, in a first-order system as well.
 // error: timestep: a state holds real numbers: write 1.0 instead of 1
-#include <timestep/state.hpp>
-
 int main() {
 #ifdef MISUSE
-    const timestep::FirstOrder start{0, 1};
+    const FirstOrder start{0, 1};
 #else
-    const timestep::FirstOrder start{0, 1.0};
+    const FirstOrder start{0, 1.0};
 #endif
     return start.y > 2;
 }
@@ -34,13 +43,11 @@ int main() {
 // ---- integer gravity
 // Gravity as a whole number.
 // error: timestep: parameters are real numbers: write 1.0 instead of 1
-#include <timestep/models/projectile.hpp>
-
 int main() {
 #ifdef MISUSE
-    const timestep::Projectile ball(-10);
+    const Projectile ball(-10);
 #else
-    const timestep::Projectile ball(-10.0);
+    const Projectile ball(-10.0);
 #endif
     return ball.gravity > 0;
 }
@@ -48,13 +55,11 @@ int main() {
 // ---- integer inertia
 // With whole numbers for the moments the inertia would be reckoned in whole numbers.
 // error: timestep: parameters are real numbers: write 1.0 instead of 1
-#include <timestep/rigid/inertia.hpp>
-
 int main() {
 #ifdef MISUSE
-    const timestep::PrincipalInertia inertia(1, 2, 2);
+    const PrincipalInertia inertia(1, 2, 2);
 #else
-    const timestep::PrincipalInertia inertia(1.0, 2.0, 2.0);
+    const PrincipalInertia inertia(1.0, 2.0, 2.0);
 #endif
     return inertia.moments.x() > 2;
 }
@@ -62,13 +67,11 @@ int main() {
 // ---- integer parameter
 // With a whole number for ω the spring would compute in whole numbers.
 // error: timestep: parameters are real numbers: write 1.0 instead of 1
-#include <timestep/models/spring.hpp>
-
 int main() {
 #ifdef MISUSE
-    const timestep::Spring spring(10);
+    const Spring spring(10);
 #else
-    const timestep::Spring spring(10.0);
+    const Spring spring(10.0);
 #endif
     return spring.omega > 20;
 }
@@ -76,13 +79,11 @@ int main() {
 // ---- integer state
 // Whole numbers would round every step to nothing.
 // error: timestep: a state holds real numbers: write 1.0 instead of 1
-#include <timestep/state.hpp>
-
 int main() {
 #ifdef MISUSE
-    const timestep::State start{0, 1, 0};
+    const State start{0, 1, 0};
 #else
-    const timestep::State start{0, 1.0, 0};
+    const State start{0, 1.0, 0};
 #endif
     return start.x > 2;
 }
@@ -90,15 +91,12 @@ int main() {
 // ---- number and vector
 // A position with three coordinates and a velocity with one.
 // error: timestep: position and velocity are two numbers, or two vectors of one size
-#include <Eigen/Core>
-#include <timestep/state.hpp>
-
 int main() {
     const Eigen::Vector3d x(1, 2, 3);
 #ifdef MISUSE
-    const timestep::State start{0.0, x, 0.0};
+    const State start{0.0, x, 0.0};
 #else
-    const timestep::State start{0.0, x, Eigen::Vector3d::Zero()};
+    const State start{0.0, x, Eigen::Vector3d::Zero()};
 #endif
     return start.x.x() > 2;
 }
@@ -106,12 +104,6 @@ int main() {
 // ---- number for state
 // A run starts from a state, not from a position.
 // error: timestep: a run starts from a State{t, x, v} or a FirstOrder{t, y}
-#include <timestep/methods/semi_implicit_euler.hpp>
-#include <timestep/models/spring.hpp>
-#include <timestep/run.hpp>
-
-using namespace timestep;
-
 int main() {
 #ifdef MISUSE
     const double start = 1.0;
@@ -124,12 +116,6 @@ int main() {
 // ---- semi implicit first order
 // Semi-implicit Euler needs to know which unknown is the position and which the velocity.
 // error: timestep: in run(method, model, start, h, steps) this method does not step this kind of state
-#include <timestep/methods/explicit_euler.hpp>
-#include <timestep/methods/semi_implicit_euler.hpp>
-#include <timestep/run.hpp>
-
-using namespace timestep;
-
 int main() {
     const auto decay = [](double, double y) { return -y; };
 #ifdef MISUSE
@@ -143,15 +129,12 @@ int main() {
 // ---- two sizes
 // A position in space and a velocity in the plane.
 // error: timestep: position and velocity are two numbers, or two vectors of one size
-#include <Eigen/Core>
-#include <timestep/state.hpp>
-
 int main() {
     const Eigen::Vector3d x(1, 2, 3);
 #ifdef MISUSE
-    const timestep::State start{0.0, x, Eigen::Vector2d(1, 2)};
+    const State start{0.0, x, Eigen::Vector2d(1, 2)};
 #else
-    const timestep::State start{0.0, x, Eigen::Vector3d(1, 2, 3)};
+    const State start{0.0, x, Eigen::Vector3d(1, 2, 3)};
 #endif
     return start.x.x() > 2;
 }
@@ -159,11 +142,6 @@ int main() {
 // ---- two kinds of real numbers
 // A body's inertia in float, its state in double.
 // error: timestep: the inertia and the state hold one kind of number: both float, or both double
-#include <timestep/gyroscopic/calm_half_step.hpp>
-#include <timestep/rigid/body.hpp>
-
-using namespace timestep;
-
 int main() {
 #ifdef MISUSE
     const PrincipalInertia<float> inertia(1, 2, 2.5f);
@@ -177,10 +155,6 @@ int main() {
 // ---- two kinds of real numbers in flight
 // The same of a method for the whole body.
 // error: timestep: the inertia and the state hold one kind of number: both float, or both double
-#include <timestep/rigid/ball_and_remainder.hpp>
-
-using namespace timestep;
-
 int main() {
 #ifdef MISUSE
     const PrincipalInertia<float> inertia(1, 2, 2.5f);
@@ -194,11 +168,6 @@ int main() {
 // ---- world taken for body
 // A spin in the world's axes, where the inertia's are the body's.
 // error: timestep: this angular velocity is in the world's axes: hand over the orientation, too
-#include <timestep/gyroscopic/calm_half_step.hpp>
-#include <timestep/rigid/omega.hpp>
-
-using namespace timestep;
-
 int main() {
     const PrincipalInertia<double> inertia(1, 2, 2.5);
     const OmegaWorld<double> omega({1, 2, 3});
@@ -213,11 +182,6 @@ int main() {
 // ---- body taken for world
 // And the other way round.
 // error: timestep: this angular velocity is in the body's axes: it takes no orientation
-#include <timestep/gyroscopic/calm_half_step.hpp>
-#include <timestep/rigid/omega.hpp>
-
-using namespace timestep;
-
 int main() {
     const PrincipalInertia<double> inertia(1, 2, 2.5);
     const Quaternion<double> q = Quaternion<double>::Identity();
@@ -233,9 +197,6 @@ int main() {
 // ---- vector of a game
 // A state has to know the real number type of a vector that is not Eigen's.
 // error: timestep: a state needs `using Scalar = ...` in the vector that it holds: its real number type
-#include <timestep/methods/semi_implicit_euler.hpp>
-#include <timestep/models/spring.hpp>
-
 struct Vec2 {
 #ifndef MISUSE
     using Scalar = float;
@@ -246,6 +207,6 @@ struct Vec2 {
 };
 
 int main() {
-    const timestep::State start{0, Vec2{1, 2}, Vec2{0, 0}};
-    return timestep::semi_implicit_euler.step(timestep::Spring(1.0f), start, 0.1f).x.x > 2;
+    const State start{0, Vec2{1, 2}, Vec2{0, 0}};
+    return semi_implicit_euler.step(Spring(1.0f), start, 0.1f).x.x > 2;
 }
