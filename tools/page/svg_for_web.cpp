@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <set>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace page {
@@ -108,6 +109,30 @@ std::string fewer_points(const std::string& data) {
     return text;
 }
 
+/// gnuplot's figure without what it says again for every line: a third of the file. Groups without anything in them go,
+/// and what all lines and letters have in common stands at the top alone.
+std::string without_repetition(std::string svg) {
+    static const std::string family = " font-family=\"Helvetica Neue,Helvetica,Arial,sans-serif\"",
+                             ends = " stroke-linecap=\"round\" stroke-linejoin=\"round\"", empty = ">\n</g>\n";
+    if (svg.find(ends) == std::string::npos) return svg;  // a panel's
+    for (const auto& [from, to] : {std::pair{family, ""},
+                                   {ends, ""},
+                                   {" color=\"black\" stroke=\"currentColor\"", " stroke=\"black\""},
+                                   {" class=\"gridline\" ", ""},
+                                   {"\t", ""},
+                                   {"\n\n", "\n"}})
+        svg = replace_all(svg, from, to);
+    std::string shorter;
+    std::size_t done = 0;
+    for (std::size_t at; (at = svg.find(empty, done)) != std::string::npos; done = at + empty.size()) {
+        const std::size_t open = svg.rfind('<', at);
+        const bool is_group = open >= done && svg.compare(open, 3, "<g ") == 0;
+        shorter += is_group ? svg.substr(done, open - done) : svg.substr(done, at + empty.size() - done);
+    }
+    shorter += svg.substr(done);
+    return shorter.insert(shorter.find("<svg") + 4, family + ends);
+}
+
 }  // namespace
 
 ImageSize image_size(const std::filesystem::path& path) {
@@ -158,7 +183,8 @@ std::map<std::string, std::string> load_dark_colours(const std::filesystem::path
     return dark;
 }
 
-std::string svg_for_web(const std::string& svg, const std::map<std::string, std::string>& dark) {
+std::string svg_for_web(const std::string& figure, const std::map<std::string, std::string>& dark) {
+    const std::string svg = without_repetition(figure);
     const std::size_t begin = svg.find("<svg"), head = svg.find('>', begin);
     if (begin == std::string::npos || svg.find("</svg>") == std::string::npos)
         throw std::invalid_argument{"is no whole SVG"};
@@ -183,13 +209,16 @@ std::string svg_for_web(const std::string& svg, const std::map<std::string, std:
                 done = end;
             } else if (attribute == "stroke" || attribute == "fill" || attribute.ends_with("color")) {
                 const std::string colour = keeps_colours ? "" : as_hex(value);
-                const auto other = dark.find(colour);
-                if (!colour.empty() && other == dark.end())
+                if (const auto other = dark.find(colour); other != dark.end()) {
+                    body += svg.substr(done, quote + 1 - done) + colour;
+                    done = end;
+                    if (other->second != colour)
+                        rules.insert("[" + attribute + "=\"" + colour + "\"]" + unless + "{" + attribute + ":" +
+                                     other->second + "}");
+                } else if (!colour.empty()) {
                     throw std::invalid_argument{"has the colour " + colour +
                                                 ", which tools/figures/dark.tsv does not name"};
-                if (!colour.empty() && other->second != colour)
-                    rules.insert("[" + attribute + "=\"" + value + "\"]" + unless + "{" + attribute + ":" +
-                                 other->second + "}");
+                }
             }
             equals = end;
         }

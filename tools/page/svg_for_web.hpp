@@ -22,8 +22,8 @@ std::string first_frame(const std::string& gif);
 std::map<std::string, std::string> load_dark_colours(const std::filesystem::path& file);
 
 /// A figure as the pages show it: gnuplot's SVG, or a panel's, with a style that makes it dark where the page is dark,
-/// and without points that lie on the line between their neighbours. A map and the scale beside it (an image and
-/// polygons) keep their colours. Throws std::invalid_argument for a colour without a dark one.
-std::string svg_for_web(const std::string& svg, const std::map<std::string, std::string>& dark);
+/// and without points that lie on the line between their neighbours or words that gnuplot repeats. A map and the scale
+/// beside it (an image and polygons) keep their colours. Throws std::invalid_argument for a colour without a dark one.
+std::string svg_for_web(const std::string& figure, const std::map<std::string, std::string>& dark);
 
 }  // namespace page

@@ -5,6 +5,9 @@
 #include "fill.hpp"
 #include "text.hpp"
 
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
 #include <array>
 #include <cstdio>
 #include <random>
@@ -142,6 +145,20 @@ std::string Course::paragraph_error(const std::string& paragraph) const {
         return "no error";
     } catch (const page::Error& wrong) {
         return wrong.what();
+    }
+}
+
+void Course::shows(std::initializer_list<Case> cases) const {
+    for (const Case& each : cases) {
+        CAPTURE(each.paragraph);
+        CHECK_THAT(fill_paragraph(each.paragraph), Catch::Matchers::ContainsSubstring(each.expected));
+    }
+}
+
+void Course::refuses(std::initializer_list<Case> cases) const {
+    for (const Case& each : cases) {
+        CAPTURE(each.paragraph);
+        CHECK_THAT(paragraph_error(each.paragraph), Catch::Matchers::ContainsSubstring(each.expected));
     }
 }
 

@@ -2,7 +2,13 @@
 // A course of one small chapter in a folder of its own, for tests of the tools that make pages.
 
 #include <filesystem>
+#include <initializer_list>
 #include <string>
+
+/// A paragraph of a page's source, and what is expected of it.
+struct Case {
+    std::string paragraph, expected;
+};
 
 /// Made when a test begins, gone when it ends.
 class Course {
@@ -24,9 +30,14 @@ public:
     std::string fill() const;
     /// The message with which filling fails, or "no error".
     std::string fill_error() const;
-    /// Fills the chapter's page after replacing its first paragraph.
+    /// Fills the chapter's page after replacing its first paragraph, in line 5.
     std::string fill_paragraph(const std::string& paragraph) const;
     std::string paragraph_error(const std::string& paragraph) const;
+
+    /// Checks for each paragraph what the filled page contains.
+    void shows(std::initializer_list<Case> cases) const;
+    /// Checks for each paragraph what the message contains with which filling fails.
+    void refuses(std::initializer_list<Case> cases) const;
 
 private:
     std::filesystem::path folder_;

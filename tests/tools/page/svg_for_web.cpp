@@ -60,8 +60,8 @@ TEST_CASE("a figure is dark where the page is, and a colour that nobody has thou
     const std::string figure =
         shown("<g color=\"black\"><path stroke='rgb( 51,  51,  51)' fill = '#FFFFFF'/></g><text>a = '</text>");
     CHECK_THAT(figure, ContainsSubstring("<style>@media(prefers-color-scheme:dark){"));
-    for (const char* rule : {"[color=\"black\"]{color:#ededed}", "[stroke=\"rgb( 51,  51,  51)\"]{stroke:#dfdfdf}",
-                             "[fill=\"#FFFFFF\"]{fill:#1c1d1f}", "<text>a = '</text>"})
+    for (const char* rule : {"[color=\"#000000\"]{color:#ededed}", "[stroke=\"#333333\"]{stroke:#dfdfdf}",
+                             "[fill=\"#ffffff\"]{fill:#1c1d1f}", "stroke='#333333'", "<text>a = '</text>"})
         CHECK_THAT(figure, ContainsSubstring(rule));
     CHECK_THROWS_AS(shown("<path stroke='#123456'/>"), std::invalid_argument);
     CHECK_THROWS_AS(page::svg_for_web("<svg width=\"3\">", dark), std::invalid_argument);
@@ -70,6 +70,15 @@ TEST_CASE("a figure is dark where the page is, and a colour that nobody has thou
                ContainsSubstring("[fill=\"#333333\"]:not(polygon){fill:#dfdfdf}"));
     CHECK_THAT(shown("<path class=\"veil\" fill=\"#333333\"/><path fill=\"#333333\"/>"),
                ContainsSubstring("[fill=\"#333333\"]:not(.veil){fill:#dfdfdf}"));
+}
+
+TEST_CASE("what gnuplot repeats for every line stands once") {
+    const std::string all = " stroke-linecap=\"round\" stroke-linejoin=\"round\"",
+                      group = "<g fill=\"none\" color=\"black\" stroke=\"currentColor\"" + all + ">\n";
+    const std::string figure = shown(group + "</g>\n" + group + "\t<path class=\"gridline\"  d='z'/></g>\n");
+    CHECK_THAT(figure, ContainsSubstring("<svg font-family") &&
+                           ContainsSubstring("<g fill=\"none\" stroke=\"#000000\">\n<path d='z'/></g>") &&
+                           !ContainsSubstring("</g>\n<g"));
 }
 
 TEST_CASE("points that nobody sees are left out of a figure") {
