@@ -16,22 +16,14 @@ refuses() {
 test_bad_use_of_bench_is_refused_in_one_line() {
     refuses 'bench: --scene sprin: must be one of' --scene sprin
     says err spring
-    refuses 'bench: --scene' --scene spring --scene ''
-    refuses '--scene' --scene
-    refuses '--secne' --secne spring
-    refuses 'spring' spring
     refuses "--out '': must be the name of a folder" --quick --scene spring --out ''
     refuses '--quick: bench loops does not take it' loops --quick
-    refuses '--json: bench many does not take it' --json many
-    refuses '--scene: bench many does not take it' many --scene spring
     [ ! -e build/runs ] || fail 'something was left'
 }
 
 test_bench_refuses_folders_that_cannot_be_written() {
     : >file
-    refuses 'bench: --out file: cannot write there (Not a directory)' --quick --scene spring --out file
     refuses 'bench: --out file/below: cannot write there (Not a directory)' --quick --scene spring --out file/below
-    [ ! -d /proc/self ] || refuses 'bench: --out /proc/self/new: cannot write there' --quick --scene spring --out /proc/self/new
     # A folder of the reader's own is in the way: nothing is left beside it.
     mkdir -p there/meta.json/mine
     refuses 'meta.json: cannot be written' --quick --scene spring --out there
@@ -77,15 +69,11 @@ test_bench_tells_people_and_names_what_is_not_installed() {
     if [ -n "$gnuplot_there" ]; then says there/spring.svg '</svg>'; fi
 }
 
-test_bench_says_what_it_cannot_draw_or_print() {
+test_bench_says_what_it_cannot_draw() {
     printf '#!/bin/sh\necho no\nexit 1\n' >bin/gnuplot
     chmod +x bin/gnuplot
     expect 2 course bench --quick --scene spring --out there
     says err 'spring.svg: could not be drawn'
-    [ -e /dev/full ] || return 0
-    no_gnuplot
-    course bench --quick --scene spring --out there >/dev/full 2>err </dev/null && fail 'a full output is no success'
-    says err 'standard output: cannot be written'
 }
 
 test_each_set_of_flags_has_a_program_of_its_own() {
@@ -98,9 +86,6 @@ test_each_set_of_flags_has_a_program_of_its_own() {
     says calls '--target bench_loops_O2 bench_loops_O3_native'
     expect 0 course bench many
     is "$(cat out)" "$(printf 'many_O2\nmany_O2_native\nmany_O3_native')"
-    printf '#!/bin/sh\necho "it fails" >&2\nexit 3\n' >build/tools/bench/bench_loops_O2
-    expect 3 course bench loops
-    is "$(cat err)" 'it fails'
 }
 
 test_bench_engines_hands_its_words_over() {

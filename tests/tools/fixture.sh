@@ -54,7 +54,6 @@ while [ $# -gt 0 ]; do
     --help) echo 'the options of this chapter'; exit ;;
     --bad) echo 'swing: --bad: must be good' >&2; exit 2 ;;
     --odd) echo 'swing: --odd: unknown option (swing --help lists them)' >&2; exit 2 ;;
-    --value) [ $# -gt 1 ] || { echo 'swing: --value: needs a value' >&2; exit 2; }; shift ;;
     --wrong) echo 'swing: does not hold: up is up' >&2; exit 1 ;;
     --crash) kill -SEGV $$ ;;
     --full) full=yes ;;

@@ -35,10 +35,8 @@ test_every_command_that_the_help_names_is_handed_over() {
 
 test_unknown_words_are_refused_before_anything_is_installed() {
     new_machine 0
-    for word in turo ''; do
-        expect 2 course "$word"
-        is "$(cat err)" "course: there is no command '$word': ./course --help shows those that there are"
-    done
+    expect 2 course turo
+    is "$(cat err)" "course: there is no command 'turo': ./course --help shows those that there are"
     expect 2 course setup --al
     says err "course: setup: '--al': it takes --all and --yes, nothing else"
     is "$(lines calls)" 0
@@ -69,14 +67,6 @@ test_only_what_is_new_is_built() {
         is "$(lines calls)" 0
     done
     rm checkout/tools/course/more.cpp
-    expect 7 course list
-    says calls '--target course'
-    # A build that failed is tried again.
-    touch checkout/tools/course/main.cpp
-    : >build_fails
-    expect 1 course list
-    rm build_fails
-    : >calls
     expect 7 course list
     says calls '--target course'
 }
@@ -147,29 +137,24 @@ test_an_interrupted_configuration_begins_afresh() {
     done
 }
 
-# Installed by setup or by hand: what CMake looks for may be there now.
 test_an_installed_package_makes_cmake_look_again() {
     new_machine 0
     have_all
     make_sources
     : >packages
     expect 7 course test
-    expect 0 course setup --all --yes
-    for by in setup hand; do
-        touch packages
+    touch packages
+    for times in 1 0; do
         : >calls
         expect 7 course test
-        is "$by: $(grep -c -e '^cmake -S' calls)" "$by: 1"
-        : >calls
-        expect 7 course test
-        is "$by: $(grep -c -e '^cmake -S' calls)" "$by: 0"
+        is "$(grep -c -e '^cmake -S' calls)" $times
     done
 }
 
 test_a_place_where_nothing_can_be_built_is_refused() {
     new_machine 0
     have_all
-    for name in '#' ';' '\' 'a$(x)' "$(printf 'a\nb')"; do
+    for name in ';' "$(printf 'a\nb')"; do
         mkdir "$name"
         cp -r checkout "$name"
         expect 2 env -i PATH="$folder/bin" COURSE_PLACES="$folder/usr" "$name/checkout/course" list
@@ -177,11 +162,10 @@ test_a_place_where_nothing_can_be_built_is_refused() {
         says err ': the course cannot be built here: '
     done
     is "$(lines calls)" 0
-    for name in 'Doe, Jane' "it's über" '$x&(!)%:=@*?`^~+{}'; do
-        mkdir "$name"
-        cp -r checkout "$name"
-        expect 7 env -i PATH="$folder/bin" COURSE_PLACES="$folder/usr" sh "./$name/checkout/course" list
-    done
+    name="it's "'$x&(!)%:=@*?`^~+{}'
+    mkdir "$name"
+    cp -r checkout "$name"
+    expect 7 env -i PATH="$folder/bin" COURSE_PLACES="$folder/usr" sh "./$name/checkout/course" list
 }
 
 test_files_from_the_future_are_dated_now() {
@@ -213,6 +197,8 @@ test_a_build_that_cannot_be_made_says_why() {
     expect 1 course list
     says err 'error: no'
     says err 'course: the course program could not be built (all that was said: '
+    rm build_fails
+    expect 7 course list  # what failed is tried again
     rm -r checkout/build
     : >checkout/build
     expect 2 course list

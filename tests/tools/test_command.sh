@@ -62,12 +62,10 @@ test_long_tests_are_left_to_all_and_to_release_and_named() {
     silent_on out 'also runs'
 }
 
-test_with_all_or_release_a_skipped_check_fails() {
+test_with_all_a_skipped_check_fails() {
     tests one=0 browser=77
-    for which in --all --release; do
-        expect 1 course test $which
-        says err "course: 1 skipped, which $which counts as failed"
-    done
+    expect 1 course test --all
+    says err 'course: 1 skipped, which --all counts as failed'
 }
 
 test_no_test_or_a_failed_build_is_a_failure() {
