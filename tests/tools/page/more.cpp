@@ -5,14 +5,9 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-#include <algorithm>
-#include "which_method.hpp"
-
 #include "context.hpp"
 #include "error.hpp"
 #include "fill.hpp"
-#include "scanner.hpp"
-#include "text.hpp"
 
 using Catch::Matchers::ContainsSubstring;
 
@@ -157,18 +152,6 @@ TEST_CASE("figures are found on both of a chapter's pages, from each of them and
     other.set_chapter("04_more", "more.md");
     CHECK_THAT(page::fill(other, "# More on chapter 4 {#more_04}\n\n" + see, "more.md"),
                ContainsSubstring("See " + spiral_there + ", " + film_there + "."));
-}
-
-TEST_CASE("each of a chapter's pages depends on the other's source, which numbers its figures") {
-    const Course course;
-    move_sweep(course);
-    for (const std::string& input : {chapter, more}) {
-        page::Context context{course / "", course / "runs"};
-        context.set_chapter("03_springs", input);
-        page::fill(context, course.read(input), input);
-        CHECK(context.inputs.count(course / chapter) == 1);
-        CHECK(context.inputs.count(course / more) == 1);
-    }
 }
 
 TEST_CASE("a figure stands on one of a chapter's two pages") {
