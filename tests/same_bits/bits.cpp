@@ -1,6 +1,7 @@
 // The table of bits: every method on every model, and every rule for a body that turns, in float and in double. Two
-// desks whose tables are the same may play in lockstep, as far as this library goes. One file for the compiler: most of
-// what it takes is to read Eigen.
+// desks whose tables are the same may play in lockstep, as far as this library goes. With an argument it prints each
+// scene, too: held to another desk's, that names the scene that differs. One file for the compiler: most of what it
+// takes is to read Eigen.
 #include <timestep/damper_sweep.hpp>
 #include <timestep/own_math.hpp>
 #include <timestep/rope.hpp>
@@ -41,13 +42,13 @@ void print_dampers() {
 // The library's own functions, by themselves: few of the other rows' numbers are such that another library rounds them
 // in another way.
 void print_math() {
-    row("cube roots", "own", []<class Real>(Hash& hash) {
+    row("cube roots", "own mathematics", []<class Real>(Hash& hash) {
         for (int i = -steps; i < steps; ++i) {
             const Real x = Real(i) * Real(0.0731);
             hash.add(timestep::cube_root(x)), hash.add(timestep::cube_root(x * Real(7919)));
         }
     });
-    row("sines and cosines", "own", []<class Real>(Hash& hash) {
+    row("sines and cosines", "own mathematics", []<class Real>(Hash& hash) {
         for (int i = -steps; i < steps; ++i) {
             const Real x = Real(i) * Real(0.0731);
             for (const Real angle : {x / 64, x, x * Real(7919)}) {
@@ -60,7 +61,8 @@ void print_math() {
 
 }  // namespace
 
-int main() {
+int main(int argc, char**) {
+    prints_scenes = argc > 1;
     forces::print_rows();
     bodies::print_rows();
     print_rope();
@@ -68,4 +70,5 @@ int main() {
     bodies::print_lanes();
     bodies::print_plane();
     print_math();
+    for (const Row& each : table) print(each.method.c_str(), each.in_float, each.in_double);
 }

@@ -33,7 +33,7 @@ if(NOT found STREQUAL expected)
   message(FATAL_ERROR
     "${desk}: ${rows} rows have other bits than in ${golden}\nfound:\n  ${only_found}\n"
     "expected:\n  ${only_expected}\nall that was found is in ${WORK}/table.txt. It becomes the new golden.txt "
-    "only where a method or a scene is new or was changed on purpose.")
+    "only where a method or a scene is new or was changed on purpose. ${program} scenes prints each scene's bits.")
 endif()
 
 # No method is left out.

@@ -1,10 +1,13 @@
 #pragma once
-// A run folded into one number, and a row of the table: hash in float, hash in double, scene, method.
+// A run folded into one number, and the table: for each method its hash in float, and in double.
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstdio>
+#include <string>
 #include <type_traits>
+#include <vector>
 
 #include <timestep/rigid/body_scene.hpp>
 #include <timestep/rigid/spin_state.hpp>
@@ -20,8 +23,7 @@ public:
     requires std::is_floating_point_v<Real>
     void add(Real value) {
         using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-        const auto bits = value != value ? Bits(-1) : std::bit_cast<Bits>(value);
-        for (std::size_t i = 0; i < sizeof bits; ++i) value_ = (value_ ^ ((bits >> 8 * i) & 255)) * 1099511628211u;
+        fold(value != value ? Bits(-1) : std::bit_cast<Bits>(value));
     }
     template <class Vector>
     requires requires(const Vector& v) { v.coeff(0); }
@@ -39,19 +41,39 @@ public:
     template <class Turning>
     requires requires(const Turning& s) { s.q.coeffs(), s.omega; }
     void add(const Turning& s) { add(s.t), add(s.q.coeffs()), add(s.omega); }
+    void add(const Hash& other) { fold(other.value_); }
     unsigned long long value() const { return value_; }
 
 private:
+    template <class Bits>
+    void fold(Bits bits) {
+        for (std::size_t i = 0; i < sizeof bits; ++i) value_ = (value_ ^ ((bits >> 8 * i) & 255)) * 1099511628211u;
+    }
     std::uint64_t value_ = 14695981039346656037u;
 };
 
 inline constexpr int steps = 10000;
 
-// Prints a row. `run` adds to a Hash what it computes with numbers of type Real.
+// A row of the table: all runs of a method, or of another rule.
+struct Row {
+    std::string method;
+    Hash in_float, in_double;
+};
+inline std::vector<Row> table;
+inline bool prints_scenes = false;
+
+inline void print(const char* name, const Hash& in_float, const Hash& in_double) {
+    std::printf("%016llx  %016llx  %s\n", in_float.value(), in_double.value(), name);
+}
+
+// Folds a scene into its method's row. `run` adds to a Hash what it computes with numbers of type Real.
 template <class Run>
 void row(const char* scene, const char* method, const Run& run) {
     Hash in_float, in_double;
     run.template operator()<float>(in_float);
     run.template operator()<double>(in_double);
-    std::printf("%016llx  %016llx  %-24s  %s\n", in_float.value(), in_double.value(), scene, method);
+    if (prints_scenes) print((std::string(method) + ": " + scene).c_str(), in_float, in_double);
+    auto found = std::find_if(table.begin(), table.end(), [&](const Row& each) { return each.method == method; });
+    if (found == table.end()) found = table.insert(found, {method, {}, {}});
+    found->in_float.add(in_float), found->in_double.add(in_double);
 }
