@@ -171,58 +171,35 @@ double pick(int site, double one, std::initializer_list<double> others) {
     return either(site, one, slips.data(), others.size());
 }
 
-// Left out, or another of its form in its place.
-double sin(int site, double x) {
-    x = angle(x);
-    const double sine = out(std::sin(turned(x)));
-    return as_written(site) ? sine : either(site, sine, {{Form::function, std::cos(x)}, {Form::function, x}});
-}
-double cos(int site, double x) {
-    x = angle(x);
-    const double cosine = out(std::cos(turned(x)));
-    return as_written(site) ? cosine : either(site, cosine, {{Form::function, std::sin(x)}, {Form::function, x}});
-}
-double exp(int site, double x) {
-    const double y = out(std::exp(x));
-    return as_written(site) ? y : either(site, y, {{Form::function, x}, {Form::function, std::exp2(x)}});
-}
-double log(int site, double x) {
-    const double y = out(std::log(x));
-    if (as_written(site)) return y;
-    return either(site, y, {{Form::function, x}, {Form::function, std::log10(x)}, {Form::function, std::log2(x)}});
-}
+// A function of a number: what it gives, and what comes of it left out, or of another of its form in its place.
+#define TIMESTEP_FUNCTION_THAT_SLIPS(name, written, ...)              \
+    double name(int site, double x) {                                 \
+        const double y = written;                                     \
+        return as_written(site) ? y : either(site, y, {__VA_ARGS__}); \
+    }
+namespace {
+
+TIMESTEP_FUNCTION_THAT_SLIPS(sine, out(std::sin(turned(x))), {Form::function, std::cos(x)}, {Form::function, x})
+TIMESTEP_FUNCTION_THAT_SLIPS(cosine, out(std::cos(turned(x))), {Form::function, std::sin(x)}, {Form::function, x})
+
+}  // namespace
+
+TIMESTEP_FUNCTION_THAT_SLIPS(exp, out(std::exp(x)), {Form::function, x}, {Form::function, std::exp2(x)})
+TIMESTEP_FUNCTION_THAT_SLIPS(log, out(std::log(x)), {Form::function, x}, {Form::function, std::log10(x)},
+                             {Form::function, std::log2(x)})
 // The other of the two leaves out a 1.
-double log1p(int site, double x) {
-    const double y = out(std::log1p(x));
-    return as_written(site) ? y : either(site, y, {{Form::function, x}, {Form::term, std::log(x)}});
-}
-double expm1(int site, double x) {
-    const double y = out(std::expm1(x));
-    return as_written(site) ? y : either(site, y, {{Form::function, x}, {Form::term, std::exp(x)}});
-}
-double exp2(int site, double x) {
-    const double y = out(std::exp2(x));
-    return as_written(site) ? y : either(site, y, {{Form::function, x}, {Form::function, std::exp(x)}});
-}
-double log2(int site, double x) {
-    const double y = out(std::log2(x));
-    if (as_written(site)) return y;
-    return either(site, y, {{Form::function, x}, {Form::function, std::log(x)}, {Form::function, std::log10(x)}});
-}
-double cbrt(int site, double x) {
-    const double y = out(std::cbrt(x));
-    return as_written(site) ? y : either(site, y, {{Form::function, x}, {Form::function, std::sqrt(x)}});
-}
-double floor(int site, double x) {
-    const double y = std::floor(x);
-    return as_written(site) ? y : either(site, y, {{Form::function, std::ceil(x)}, {Form::function, std::round(x)}});
-}
-double ceil(int site, double x) {
-    const double y = std::ceil(x);
-    if (as_written(site)) return y;
-    return either(site, y,
-                  {{Form::function, std::floor(x)}, {Form::function, std::round(x)}, {Form::edge, std::floor(x) + 1}});
-}
+TIMESTEP_FUNCTION_THAT_SLIPS(log1p, out(std::log1p(x)), {Form::function, x}, {Form::term, std::log(x)})
+TIMESTEP_FUNCTION_THAT_SLIPS(expm1, out(std::expm1(x)), {Form::function, x}, {Form::term, std::exp(x)})
+TIMESTEP_FUNCTION_THAT_SLIPS(exp2, out(std::exp2(x)), {Form::function, x}, {Form::function, std::exp(x)})
+TIMESTEP_FUNCTION_THAT_SLIPS(log2, out(std::log2(x)), {Form::function, x}, {Form::function, std::log(x)},
+                             {Form::function, std::log10(x)})
+TIMESTEP_FUNCTION_THAT_SLIPS(cbrt, out(std::cbrt(x)), {Form::function, x}, {Form::function, std::sqrt(x)})
+TIMESTEP_FUNCTION_THAT_SLIPS(floor, std::floor(x), {Form::function, std::ceil(x)}, {Form::function, std::round(x)})
+TIMESTEP_FUNCTION_THAT_SLIPS(ceil, std::ceil(x), {Form::function, std::floor(x)}, {Form::function, std::round(x)},
+                             {Form::edge, std::floor(x) + 1})
+#undef TIMESTEP_FUNCTION_THAT_SLIPS
+double sin(int site, double x) { return sine(site, angle(x)); }
+double cos(int site, double x) { return cosine(site, angle(x)); }
 double pow(int site, double x, double y) {
     const double power = out(std::pow(x, y));
     if (as_written(site)) return power;

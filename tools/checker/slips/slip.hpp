@@ -83,7 +83,7 @@ double rounded(double x);
 // Sites that all places of an answer share.
 inline constexpr int pi_site = 1, angle_site = 2, single_site = 3, first_free_site = 10;
 
-// Of numbers, in slips.cpp.
+// Of numbers (slip.cpp).
 double plus(int site, double l, double r);
 double minus(int site, double l, double r);
 double times(int site, double l, double r);
@@ -260,8 +260,9 @@ auto rest(int site, L l, R r) {
 }
 
 // Is one less than the other? `back`: are the two asked about the other way round; `equal`: counts equality?
-template <class L, class R>
-bool compare(int site, const L& l, const R& r, bool back, bool equal) {
+template <bool is_back, bool is_equal, class L, class R>
+bool compare(int site, const L& l, const R& r) {
+    bool back = is_back, equal = is_equal;
     const int slip = chosen(site, {Form::reversed, Form::edge, Whole<L, R> ? Form::edge : Form::none});
     if (slip == 1) back = !back;
     if (slip == 2) equal = !equal;
@@ -276,50 +277,33 @@ bool compare(int site, const L& l, const R& r, bool back, bool equal) {
     return back ? ask(r, l) : ask(l, r);
 }
 
-template <class L, class R>
-bool less(int site, const L& l, const R& r) {
-    return compare(site, l, r, false, false);
-}
-template <class L, class R>
-bool at_most(int site, const L& l, const R& r) {
-    return compare(site, l, r, false, true);
-}
-template <class L, class R>
-bool more(int site, const L& l, const R& r) {
-    return compare(site, l, r, true, false);
-}
-template <class L, class R>
-bool at_least(int site, const L& l, const R& r) {
-    return compare(site, l, r, true, true);
-}
-
 // An operator in two halves, for its precedence: `a + Plus{7} + b`.
 template <class Operator, class L>
 struct Half {
     L left;
     int site;
 };
-#define TIMESTEP_OPERATOR_THAT_SLIPS(Name, op, call)                        \
-    struct Name {                                                           \
-        int site;                                                           \
-    };                                                                      \
-    template <class L>                                                      \
-    Half<Name, Plain<L>> operator op(const L& l, Name at) {                 \
-        return {l, at.site};                                                \
-    }                                                                       \
-    template <class L, class R>                                             \
-    auto operator op(const Half<Name, L>& half, const R& r) {               \
-        return call(half.site, half.left, static_cast<const Plain<R>&>(r)); \
+#define TIMESTEP_OPERATOR_THAT_SLIPS(Name, op, ...)                                \
+    struct Name {                                                                  \
+        int site;                                                                  \
+    };                                                                             \
+    template <class L>                                                             \
+    Half<Name, Plain<L>> operator op(const L& l, Name at) {                        \
+        return {l, at.site};                                                       \
+    }                                                                              \
+    template <class L, class R>                                                    \
+    auto operator op(const Half<Name, L>& half, const R& r) {                      \
+        return __VA_ARGS__(half.site, half.left, static_cast<const Plain<R>&>(r)); \
     }
 TIMESTEP_OPERATOR_THAT_SLIPS(Plus, +, plus)
 TIMESTEP_OPERATOR_THAT_SLIPS(Minus, -, minus)
 TIMESTEP_OPERATOR_THAT_SLIPS(Times, *, times)
 TIMESTEP_OPERATOR_THAT_SLIPS(Over, /, over)
 TIMESTEP_OPERATOR_THAT_SLIPS(Rest, %, rest)
-TIMESTEP_OPERATOR_THAT_SLIPS(Less, <, less)
-TIMESTEP_OPERATOR_THAT_SLIPS(AtMost, <=, at_most)
-TIMESTEP_OPERATOR_THAT_SLIPS(More, >, more)
-TIMESTEP_OPERATOR_THAT_SLIPS(AtLeast, >=, at_least)
+TIMESTEP_OPERATOR_THAT_SLIPS(Less, <, compare<false, false>)
+TIMESTEP_OPERATOR_THAT_SLIPS(AtMost, <=, compare<false, true>)
+TIMESTEP_OPERATOR_THAT_SLIPS(More, >, compare<true, false>)
+TIMESTEP_OPERATOR_THAT_SLIPS(AtLeast, >=, compare<true, true>)
 #undef TIMESTEP_OPERATOR_THAT_SLIPS
 
 struct Negative {
@@ -351,31 +335,23 @@ auto added(int site, const X& x) {
     }
 }
 
-// Functions of Eigen's: `x ->* Norm{7}`.
-struct norm {
-    int site;
-};
-struct squaredNorm {
-    int site;
-};
-struct normalized {
-    int site;
-};
+// Functions of Eigen's: `x ->* norm{7}`.
+#define TIMESTEP_METHOD_THAT_SLIPS(name, written, slipped)                                      \
+    struct name {                                                                               \
+        int site;                                                                               \
+    };                                                                                          \
+    template <class X>                                                                          \
+    auto operator->*(const X& x, name at) {                                                     \
+        using T = decltype(written);                                                            \
+        return chosen(at.site, {Form::function}) == 1 ? T(slipped) : with_roundoff(T(written)); \
+    }
+TIMESTEP_METHOD_THAT_SLIPS(norm, double(x.norm()), x.squaredNorm())
+TIMESTEP_METHOD_THAT_SLIPS(squaredNorm, double(x.squaredNorm()), x.norm())
+TIMESTEP_METHOD_THAT_SLIPS(normalized, Plain<X>(x.normalized()), x)
+#undef TIMESTEP_METHOD_THAT_SLIPS
 struct conjugate {
     int site;
 };
-template <class X>
-double operator->*(const X& x, norm at) {
-    return chosen(at.site, {Form::function}) == 1 ? x.squaredNorm() : with_roundoff(double(x.norm()));
-}
-template <class X>
-double operator->*(const X& x, squaredNorm at) {
-    return chosen(at.site, {Form::function}) == 1 ? x.norm() : with_roundoff(double(x.squaredNorm()));
-}
-template <class X>
-Plain<X> operator->*(const X& x, normalized at) {
-    return chosen(at.site, {Form::function}) == 1 ? Plain<X>(x) : with_roundoff(Plain<X>(x.normalized()));
-}
 template <class X>
 Plain<X> operator->*(const X& x, conjugate at) {
     return chosen(at.site, {Form::function}) == 1 ? Plain<X>(x) : Plain<X>(x.conjugate());
