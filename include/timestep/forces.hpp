@@ -148,17 +148,18 @@ concept SmoothForce = ConstantForce<Model> ||
     (detail::HasSlopeX<Model, X> &&
      (PositionForce<Model, X> || detail::HasSlopeV<Model, X>)&&detail::parts_are_smooth<Model, X>);
 
-/// ∂a/∂x at (x, v), 1/s²: a number or a matrix.
+/// ∂a/∂x at (x, v), 1/s²: a number or a matrix. Of several overloads the one with most arguments
+/// is called: a sum of forces has a slope without arguments from its constant parts alone.
 template <class X, class Model>
 auto slope_x(const Model& model, const X& x, const X& v) {
     if constexpr (ConstantForce<Model>)
         return real_of<X>(0);
-    else if constexpr (requires { model.slope_x(); })
-        return model.slope_x();
+    else if constexpr (requires { model.slope_x(x, v); })
+        return model.slope_x(x, v);
     else if constexpr (requires { model.slope_x(x); })
         return model.slope_x(x);
     else
-        return model.slope_x(x, v);
+        return model.slope_x();
 }
 
 /// ∂a/∂v at (x, v), 1/s: a number or a matrix.
@@ -166,12 +167,12 @@ template <class X, class Model>
 auto slope_v(const Model& model, const X& x, const X& v) {
     if constexpr (PositionForce<Model, X>)
         return real_of<X>(0);
-    else if constexpr (requires { model.slope_v(); })
-        return model.slope_v();
+    else if constexpr (requires { model.slope_v(x, v); })
+        return model.slope_v(x, v);
     else if constexpr (requires { model.slope_v(x); })
         return model.slope_v(x);
     else
-        return model.slope_v(x, v);
+        return model.slope_v();
 }
 
 }  // namespace timestep

@@ -188,10 +188,9 @@ TEST_CASE("a run refuses a step for which the method's own formulas overflow", "
     CHECK_NOTHROW(run(implicit_euler, Root(), FirstOrder<double>{0, 0}, 0.1, 1));
 }
 
-// No explicit method divides by 1 − h ∂a/∂v − h² ∂a/∂x. Explicit Euler and RK4 do not even use h².
+// No explicit method divides by 1 − h ∂a/∂v − h² ∂a/∂x.
 TEST_CASE("a run does not refuse a step for a number that its method never uses", "[library]") {
     const State<double> still{0, 0, 0};
-    CHECK(run(explicit_euler, Projectile(0.0), State<double>{0, 1, 0}, 1e155, 1).x == 1);
     CHECK(run(explicit_euler, Decay(-1e300), FirstOrder<double>{0, 0}, 1e10, 1).y == 0);
     CHECK(run(explicit_euler, Spring(1e150), still, 1e50, 1).x == 0);
     CHECK(run(runge_kutta_4, DampedSpring(1.0, 1e300), still, 1e10, 1).x == 0);

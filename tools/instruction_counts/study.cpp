@@ -122,9 +122,9 @@ public:
     }
 
     static constexpr const char* numbers[] = {
-        "explicit_euler",         "semi_implicit_euler", "gravity",    "passive_box",    "gyroscopic_ball_costs",
-        "gyroscopic_box_costs",   "sorted_ball",         "bullet_own", "functions_calm", "functions_more_in_world",
-        "functions_more_in_float"};
+        "explicit_euler",          "semi_implicit_euler", "gravity",    "passive_box",    "gyroscopic_ball_costs",
+        "gyroscopic_box_costs",    "sorted_ball",         "bullet_own", "functions_calm", "functions_more_in_world",
+        "functions_more_in_float", "functions_most_more"};
 
 private:
     static constexpr const char* per_step = "instructions a step";
@@ -210,7 +210,7 @@ private:
         const bool has_bullet = per_step_.contains("bullet_own");
         const double bullet = has_bullet ? of("bullet_own") : 0;
         bool half_of_bullet = has_bullet;
-        double more_in_world = 0, more_in_float = 0;
+        double more_in_world = 0, more_in_float = 0, most_more = 0;
         for (const auto& [rule, title] : Names{{"passive", "passive"},
                                                {"half_step", "half-step Jacobian"},
                                                {"calm", "calm half-step"},
@@ -236,6 +236,7 @@ private:
                     name + ": " + words(function) + ", the template " + words(kind));
                 bar(in_body || function <= any, name + ": " + words(function) + ", for any body " + words(any));
                 bar(!has_bullet || !in_float || 2 * function <= bullet, name + ": more than half of Bullet's own");
+                most_more = std::max(most_more, function - kind);
                 if (!in_body) more_in_world = std::max(more_in_world, function - any);
                 if (three_moments && in_float) more_in_float = std::max(more_in_float, function - kind);
                 half_of_bullet = half_of_bullet && (!in_float || 2 * function <= bullet);
@@ -247,6 +248,7 @@ private:
                     "instructions more than the template for any body, at most, the spin in the world");
         out_.number("functions_more_in_float", more_in_float, "",
                     "instructions more than the template for this kind, at most, three moments, in float");
+        out_.number("functions_most_more", most_more, "", "instructions more than the template for this kind, at most");
         out_.text("bullet_own", has_bullet ? words(bullet) : "", per_step);
         if (half_of_bullet)
             out_.check("functions_bullet", true,
