@@ -43,7 +43,7 @@ test_is_shown_both_sides_of_a_property() {
     says out 'In the long run a step of'
     says out 'multiplies the swing by'
     answers tr_bdf2_step 'return {s.t + h, s.x, s.v};'
-    says out 'they differ by'
+    says out 'They differ by'
 }
 
 # As the problem matcher of .vscode/tasks.json reads it: where the line N of the file is marked.
