@@ -29,8 +29,7 @@ int main() {
         const double backward = backward_difference(f, t, h) - slope(t);
         const double central = central_difference(f, t, h) - slope(t);
 
-        data << h << ' ' << std::abs(forward) << ' ' << std::abs(backward) << ' '
-             << std::abs(central) << '\n';
+        data << h << ' ' << std::abs(forward) << ' ' << std::abs(backward) << ' ' << std::abs(central) << '\n';
         std::printf("%12.3g %12.3g %12.3g %12.3g\n", h, forward, backward, central);
         h /= 2;
     }

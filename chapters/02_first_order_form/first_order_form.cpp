@@ -1,5 +1,4 @@
-// Chapter 2: a ball with drag and a mass on a spring, handed to one solver; and a loop that frames
-// cannot disturb.
+// Chapter 2: a ball with drag and a mass on a spring, handed to one solver; and a loop that frames cannot disturb.
 //
 //   c++ -std=c++20 -O2 chapters/02_first_order_form/first_order_form.cpp -o motion && ./motion
 
@@ -33,14 +32,12 @@ int main() {
     std::ofstream data("motion.dat");
     data << "# time height spring exact\n";
 
-    Array thrown{0, speed},
-        swinging{1, 0};  // m, m/s: the mass is pulled out by one metre and let go
-    double owed = 0;     // time that the picture is ahead of the simulation, s
+    Array thrown{0, speed}, swinging{1, 0};  // m, m/s: the mass is pulled out by one metre and let go
+    double owed = 0;                         // time that the picture is ahead of the simulation, s
     const long frames = std::lround(seconds / frame);
     long steps = 0;
     for (long n = 0; n <= frames; ++n) {
-        // A frame pays what it owes in whole steps, and keeps the rest for the next one. The first
-        // shows the start.
+        // A frame pays what it owes in whole steps, and keeps the rest for the next one. The first shows the start.
         if (n > 0) owed += frame;
         for (; owed >= h; owed -= h) {
             thrown = step(ball, thrown);

@@ -34,8 +34,7 @@ void portrait(const Method& method, std::ofstream& data) {
     }
     data << state.x << ' ' << state.v / omega << "\n\n\n";
 
-    std::cout << method.name << ": amplitude " << amplitude(state) << " m after " << frames * h
-              << " s\n";
+    std::cout << method.name << ": amplitude " << amplitude(state) << " m after " << frames * h << " s\n";
 }
 
 int main() {

@@ -28,8 +28,7 @@ void fall(Point& p) {
 }
 
 // Both ends of a link share what is too long: its constraint, projected.
-// A point that is moved has its velocity changed with it. Two points in one place have no direction
-// and stay.
+// A point that is moved has its velocity changed with it. Two points in one place have no direction and stay.
 void put_right(Point& a, Point& b, bool a_is_held) {
     const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
     if (length == 0) return;
@@ -40,8 +39,7 @@ void put_right(Point& a, Point& b, bool a_is_held) {
 
 int main() {
     std::array<Point, links + 1> rope;
-    for (int i = 0; i <= links; ++i)
-        rope[i] = {i * link, 0, i * link, 0};  // held out level, at rest
+    for (int i = 0; i <= links; ++i) rope[i] = {i * link, 0, i * link, 0};  // held out level, at rest
 
     std::ofstream data("rope.dat");
     data << "# x y time\n";
@@ -57,9 +55,8 @@ int main() {
     }
 
     double length = 0;
-    for (int i = 1; i <= links; ++i)
-        length += std::hypot(rope[i].x - rope[i - 1].x, rope[i].y - rope[i - 1].y);
-    std::cout << "after " << frames * h << " s the rope is " << length << " m long, and should be "
-              << links * link << "\n";
+    for (int i = 1; i <= links; ++i) length += std::hypot(rope[i].x - rope[i - 1].x, rope[i].y - rope[i - 1].y);
+    std::cout << "after " << frames * h << " s the rope is " << length << " m long, and should be " << links * link
+              << "\n";
     if (!data.flush()) return std::cerr << "rope.dat: cannot be written\n", 2;
 }

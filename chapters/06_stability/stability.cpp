@@ -58,8 +58,7 @@ int main() {
             const double formula = stability_limit(method, zeta).value;
             data << zeta << ' ' << tried << ' ' << formula << '\n';
             if (i % 13 == 0)
-                std::cout << "  zeta " << zeta << ": omega h up to " << tried << ", by formula "
-                          << formula << '\n';
+                std::cout << "  zeta " << zeta << ": omega h up to " << tried << ", by formula " << formula << '\n';
         }
         data << "\n\n";
     };

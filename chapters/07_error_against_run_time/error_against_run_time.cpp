@@ -1,7 +1,6 @@
 // Chapter 7: four methods, what each costs, and how wrong it is.
 //
-//   c++ -std=c++20 -O2 -Iinclude chapters/07_error_against_run_time/error_against_run_time.cpp -o
-//   work && ./work
+//   c++ -std=c++20 -O2 -Iinclude chapters/07_error_against_run_time/error_against_run_time.cpp -o work && ./work
 
 #include <algorithm>
 #include <chrono>
@@ -20,8 +19,9 @@ using namespace timestep;
 using Clock = std::chrono::steady_clock;
 
 // Play with these.
-const double omega = 6.283185307;                            // rad/s: one oscillation a second
-const double seconds = 4;                                    // of game
+const double omega = 6.283185307;  // rad/s: one oscillation a second
+const double seconds = 4;          // of game
+
 const int rates[] = {15, 30, 60, 120, 240, 480, 960, 1920};  // steps a second
 
 const Spring spring(omega);
@@ -39,15 +39,12 @@ double error(const Method& method, double h, int steps) {
     return worst;
 }
 
-// The best of twenty, s: whatever else the machine does makes a run longer, nothing makes it
-// shorter. A clock cannot see a run that takes 100 ns: a batch of them is timed, of 20000 steps or
-// more.
+// The best of twenty, s: whatever else the machine does makes a run longer, nothing makes it shorter. A clock cannot
+// see a run that takes 100 ns: a batch of them is timed, of 20000 steps or more.
 template <class Method>
 double time(const Method& method, double h, int steps) {
     const int batch = 1 + 20000 / (1 + steps);
-    volatile double pulled = start.x,
-                    read =
-                        0;  // what nobody reads, or what is the same again, a compiler leaves out
+    volatile double pulled = start.x, read = 0;  // what nobody reads, or what is the same again, a compiler leaves out
     double best = 1e9;
     for (int again = 0; again < 20; ++again) {
         const auto begin = Clock::now();
@@ -70,8 +67,7 @@ int main() {
         data << "# " << method.name << '\n';
         for (const int rate : rates) {
             const int steps = static_cast<int>(seconds * rate);
-            const double wrong = error(method, 1.0 / rate, steps),
-                         took = 1e6 * time(method, 1.0 / rate, steps);
+            const double wrong = error(method, 1.0 / rate, steps), took = 1e6 * time(method, 1.0 / rate, steps);
             data << took << ' ' << wrong << ' ' << rate << '\n';
             std::printf("%22s %8d %12.2g %12.2g\n", method.name, rate, wrong, took);
         }

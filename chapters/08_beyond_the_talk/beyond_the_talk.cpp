@@ -1,7 +1,6 @@
 // Chapter 8: the talk's solver, and the same with one token changed.
 //
-//   c++ -std=c++20 -O2 -Iinclude -I/usr/include/eigen3
-//   chapters/08_beyond_the_talk/beyond_the_talk.cpp -o token && ./token
+//   c++ -std=c++20 -O2 -Iinclude -I/usr/include/eigen3 chapters/08_beyond_the_talk/beyond_the_talk.cpp -o token && ./token
 
 #include <cmath>
 #include <fstream>

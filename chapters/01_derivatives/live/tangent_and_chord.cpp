@@ -38,8 +38,7 @@ public:
         title = "Tangent and chord of a curve, and the error of the chord's slope against the step";
         aspect = 0.68, aspect_narrow = 1.35;
         sweep[0] = 1;
-        for (std::size_t i = 1; i < sweep.size(); ++i)
-            sweep[i] = sweep[i - 1] / 1.1547819846894582;  // 16 a decade
+        for (std::size_t i = 1; i < sweep.size(); ++i) sweep[i] = sweep[i - 1] / 1.1547819846894582;  // 16 a decade
     }
 
     void restart() override { h.value = sweep[place = 5], back = false; }
@@ -65,9 +64,7 @@ public:
 
     // The point can be dragged along the curve, and so can the chord's end, which sets h.
     bool grab(double x, double y) override {
-        const auto near = [&](double at) {
-            return std::fabs(x - at) < 0.4 && std::fabs(y - bell(at)) < 0.4;
-        };
+        const auto near = [&](double at) { return std::fabs(x - at) < 0.4 && std::fabs(y - bell(at)) < 0.4; };
         end_is_held = h > 0.15 && x > t + h / 2 && near(t + h);
         return end_is_held || near(t);
     }
@@ -81,16 +78,13 @@ private:
     double at() const { return in_float ? static_cast<double>(static_cast<float>(t)) : t; }
     template <class Real>
     double difference(int of, Real x, Real step) const {
-        return of == forward ? forward_difference(bell, x, step)
-                             : central_difference(bell, x, step);
+        return of == forward ? forward_difference(bell, x, step) : central_difference(bell, x, step);
     }
     double difference(int of, double step) const {
         return in_float ? difference(of, static_cast<float>(t), static_cast<float>(step))
                         : difference(of, t.value, step);
     }
-    double error(int of, double step) const {
-        return std::fabs(difference(of, step) - slope(at()));
-    }
+    double error(int of, double step) const { return std::fabs(difference(of, step) - slope(at())); }
     // Roundoff has its luck: at one place the error dips, at the next it does not. Of 21 places
     // close by, the middle one.
     template <class Real>
@@ -112,12 +106,8 @@ private:
         const Real x = static_cast<Real>(t), next = x + static_cast<Real>(step);
         return static_cast<double>(bell(next)) - static_cast<double>(bell(x));
     }
-    double rise(double step) const {
-        return in_float ? rise<float>(t, step) : rise<double>(t, step);
-    }
-    const char* name() const {
-        return formula == forward ? forward_difference.name : central_difference.name;
-    }
+    double rise(double step) const { return in_float ? rise<float>(t, step) : rise<double>(t, step); }
+    const char* name() const { return formula == forward ? forward_difference.name : central_difference.name; }
 
     // A line through (x, y), from one side of the picture to the other.
     static void line(live::Picture& p, double x, double y, double slope, double far) {
@@ -145,8 +135,7 @@ private:
     // The same around the point, enlarged until h fills a quarter of the width: x and y are in
     // units of h.
     void draw_magnified(live::Picture& p) const {
-        p.window(-2, 2, -2, 2, true, p.narrow ? 0.5 : 0, p.narrow ? 1 : 0.4, p.narrow ? 0.62 : 0,
-                 p.narrow ? 1 : 0.5);
+        p.window(-2, 2, -2, 2, true, p.narrow ? 0.5 : 0, p.narrow ? 1 : 0.4, p.narrow ? 0.62 : 0, p.narrow ? 1 : 0.5);
         p.ink("exact", 3, 0.8);
         p.move(-2.5, rise(-2.5 * h) / h);
         for (int i = -99; i <= 100; ++i) p.line(i / 40.0, rise(i / 40.0 * h) / h);
@@ -168,12 +157,10 @@ private:
         p.axes("step h", "error of the slope", true, true);
         // The second term counts where the first one's derivative is nearly zero: where the curve
         // hardly bends.
-        formula == forward
-            ? draw_prediction(p, forward_difference, second(t), std::fabs(third(t)) / 6, 2)
-            : draw_prediction(p, central_difference, third(t), std::fabs(fifth(t)) / 120, 4);
+        formula == forward ? draw_prediction(p, forward_difference, second(t), std::fabs(third(t)) / 6, 2)
+                           : draw_prediction(p, central_difference, third(t), std::fabs(fifth(t)) / 120, 4);
         for (const int of : {1 - formula, static_cast<int>(formula)}) {
-            p.ink(of == forward ? forward_difference.name : central_difference.name, 2,
-                  of == formula ? 1 : 0.3);
+            p.ink(of == forward ? forward_difference.name : central_difference.name, 2, of == formula ? 1 : 0.3);
             for (std::size_t i = 0; i < sweep.size(); ++i) {
                 const double x = live::log10(sweep[i]), y = decade(usual_error(of, sweep[i]));
                 i == 0 ? p.move(x, y) : p.line(x, y);
@@ -187,20 +174,15 @@ private:
     // The formula's two errors, as the library declares them: the one goes with h^order, the other
     // with 1/h.
     template <class Formula>
-    void draw_prediction(live::Picture& p, const Formula&, double next, double more,
-                         int more_order) const {
+    void draw_prediction(live::Picture& p, const Formula&, double next, double more, int more_order) const {
         using std::numeric_limits;
-        const double epsilon =
-            in_float ? numeric_limits<float>::epsilon() : numeric_limits<double>::epsilon();
-        const double noise =
-            1.5 * epsilon * bell(at());  // f rounds three times, each time by half an ε at most
-        const double term = Formula::error_constant * std::fabs(next) + 1e-20,
-                     truncation = live::log10(term);
+        const double epsilon = in_float ? numeric_limits<float>::epsilon() : numeric_limits<double>::epsilon();
+        const double noise = 1.5 * epsilon * bell(at());  // f rounds three times, each time by half an ε at most
+        const double term = Formula::error_constant * std::fabs(next) + 1e-20, truncation = live::log10(term);
         const double roundoff = live::log10(Formula::noise_gain * noise);
         p.ink("faint", 1.5);
         for (std::size_t i = sweep.size(); i-- > 0;) {
-            const double x = live::log10(sweep[i]),
-                         higher = more * power(sweep[i], more_order - Formula::order);
+            const double x = live::log10(sweep[i]), higher = more * power(sweep[i], more_order - Formula::order);
             const double y = live::log10(term + higher) + x * Formula::order;
             i + 1 == sweep.size() ? p.move(x, y) : p.line(x, y);
         }

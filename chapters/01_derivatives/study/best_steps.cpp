@@ -78,8 +78,8 @@ Best scan(const Formula& formula, const Function& f, double x, lab::Table& table
 // below 1.3. The best step goes with √κ at most, a factor 1.6, and the minimum is so flat (4 % on
 // 1.3 to either side) that the scatter may move it by 1.3: a factor 2 in all.
 template <class Real, class Formula, class Function>
-Best measure(const Formula& formula, const Function& f, double x, const std::string& type,
-             bool& as_predicted, lab::Table& costs, lab::Findings& out) {
+Best measure(const Formula& formula, const Function& f, double x, const std::string& type, bool& as_predicted,
+             lab::Table& costs, lab::Findings& out) {
     std::string name = formula.name;
     std::replace(name.begin(), name.end(), '-', '_');
     name += "_" + type;
@@ -94,12 +94,12 @@ Best measure(const Formula& formula, const Function& f, double x, const std::str
         std::snprintf(text, sizeof text, std::isfinite(value) ? "%.2g" : "any", value);
         return std::string(text);
     };
-    std::printf("  %-11s %-7s %12.2g %12s %12.2g\n", formula.name, type.c_str(), best.step,
-                cell(predicted).c_str(), best.error);
+    std::printf("  %-11s %-7s %12.2g %12s %12.2g\n", formula.name, type.c_str(), best.step, cell(predicted).c_str(),
+                best.error);
     out.number("best_error_" + name, best.error, "", "error at that step", 2);
     if (!std::isfinite(predicted)) return best;  // nothing is left out, so no step is too large
-    costs.row({formula.name + (", " + type), double(formula.evaluations), cell(best.step),
-               cell(predicted), cell(best.error)});
+    costs.row({formula.name + (", " + type), double(formula.evaluations), cell(best.step), cell(predicted),
+               cell(best.error)});
     as_predicted = as_predicted && best.step < 2 * predicted && predicted < 2 * best.step &&
                    largest_error<Real>(formula, f, x, predicted) < 1.3 * best.error;
     return best;
@@ -107,19 +107,16 @@ Best measure(const Formula& formula, const Function& f, double x, const std::str
 
 template <class Function>
 void all(const Function& f, double x, lab::Findings& out) {
-    auto& costs =
-        out.table("costs.tsv", {"formula", "values", "best h tried", "predicted", "error there"});
+    auto& costs = out.table("costs.tsv", {"formula", "values", "best h tried", "predicted", "error there"});
     std::printf("  %-11s %-7s %12s %12s %12s\n", "", "", "best h", "predicted", "error there");
     bool as_predicted = true, float_errs_more = true, order_helps = true;
     Best lower[2] = {{0}, {0}};  // of the formula of lower order, in float and in double
     const auto both = [&](const auto& formula) {
         const Best now[2] = {measure<float>(formula, f, x, "float", as_predicted, costs, out),
                              measure<double>(formula, f, x, "double", as_predicted, costs, out)};
-        float_errs_more =
-            float_errs_more && now[0].step > now[1].step && now[0].error > now[1].error;
+        float_errs_more = float_errs_more && now[0].step > now[1].step && now[0].error > now[1].error;
         for (int i = 0; i < 2; ++i) {
-            order_helps =
-                order_helps && now[i].step > lower[i].step && now[i].error < lower[i].error;
+            order_helps = order_helps && now[i].step > lower[i].step && now[i].error < lower[i].error;
             lower[i] = now[i];
         }
     };
@@ -128,16 +125,12 @@ void all(const Function& f, double x, lab::Findings& out) {
     both(five_point_difference);
     out.number("neighbours", neighbours, "", "places at which an error is measured");
     out.number("reach", reach, "", "they lie between x and x + this");
-    out.number("epsilon_float", std::numeric_limits<float>::epsilon(), "",
-               "from 1 to the next float", 2);
-    out.number("epsilon_double", std::numeric_limits<double>::epsilon(), "",
-               "from 1 to the next double", 2);
-    out.check(
-        "float_errs_more", float_errs_more,
-        "in float every formula has a larger optimal step size and a larger error than in double");
-    out.check(
-        "order_helps", order_helps,
-        "the higher the order, the larger the optimal step size and the smaller the error there");
+    out.number("epsilon_float", std::numeric_limits<float>::epsilon(), "", "from 1 to the next float", 2);
+    out.number("epsilon_double", std::numeric_limits<double>::epsilon(), "", "from 1 to the next double", 2);
+    out.check("float_errs_more", float_errs_more,
+              "in float every formula has a larger optimal step size and a larger error than in double");
+    out.check("order_helps", order_helps,
+              "the higher the order, the larger the optimal step size and the smaller the error there");
     out.check("best_steps", as_predicted,
               "every predicted step is within a factor 2 of the best one measured, and its error "
               "within 1.3");
@@ -155,8 +148,7 @@ void all(const Function& f, double x, lab::Findings& out) {
 
 void best_steps(const Settings& settings, lab::Findings& out) {
     char title[60];
-    std::snprintf(title, sizeof title, "The best h for %s at x = %g", settings.function.c_str(),
-                  settings.at);
+    std::snprintf(title, sizeof title, "The best h for %s at x = %g", settings.function.c_str(), settings.at);
     out.section(title);
     with_function(settings.function, [&](const auto& f) { all(f, settings.at, out); });
 }

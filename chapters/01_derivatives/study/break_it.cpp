@@ -19,8 +19,7 @@ void no_step_left(lab::Findings& out) {
     std::printf("exp at 1 with h = %g: slope %g\n", h, slope);
     out.number("lost_step", h, "", "a step too small for a double at 1");
     out.number("lost_slope", slope, "", "the slope of exp at 1 with that step");
-    out.check("lost", slope == 0 && step_taken(1.0, h) == 0,
-              "1 + h is 1 again, and the slope comes out as zero");
+    out.check("lost", slope == 0 && step_taken(1.0, h) == 0, "1 + h is 1 again, and the slope comes out as zero");
 }
 
 // A platform moves as x = sin t m; this is the largest error of its velocity over ten seconds.
@@ -68,8 +67,7 @@ void long_game(double rate, lab::Findings& out) {
     out.table("clock_stop.tsv", {"hours"}).row({stop / 3600.0});
     for (const double hours : {0.1, 1.0, 10.0}) {
         const ClockErrors errors = after(hours, rate);
-        std::printf("  %9g h   %12.2g   %17.2g   %10.2g\n", hours, errors.over_h, errors.over_step,
-                    errors.in_double);
+        std::printf("  %9g h   %12.2g   %17.2g   %10.2g\n", hours, errors.over_h, errors.over_step, errors.in_double);
     }
     std::printf("from %.4g h on t + h = t: the clock stands still\n", stop / 3600.0);
 
@@ -80,8 +78,7 @@ void long_game(double rate, lab::Findings& out) {
     out.number("clock_late_hours", late_hours, "hours", "late in the game");
     out.number("clock_early", early, "m/s", "error after 0.1 hours, divided by h", 2);
     out.number("clock_late", late.over_h, "m/s", "error after 10 hours, divided by h", 2);
-    out.number("clock_late_step", late.over_step, "m/s",
-               "error after 10 hours, over the step taken", 2);
+    out.number("clock_late_step", late.over_step, "m/s", "error after 10 hours, over the step taken", 2);
     out.number("clock_spacing", 1000 * (std::nextafter(36000.0f, 1e9f) - 36000.0f), "ms",
                "from one float to the next after 10 hours", 2);
     out.number("clock_stops", stop / 3600.0, "hours", "from here on t + h = t in float", 4);
@@ -98,16 +95,13 @@ void kink(lab::Findings& out) {
     const double ahead = forward_difference(height, 0.0, h);
     const double behind = backward_difference(height, 0.0, h);
     const double central = central_difference(height, 0.0, h);
-    std::printf("a bounce: forward %g m/s, backward %g m/s, central %g m/s, whatever h is\n", ahead,
-                behind, central);
+    std::printf("a bounce: forward %g m/s, backward %g m/s, central %g m/s, whatever h is\n", ahead, behind, central);
     out.number("kink_forward", ahead, "m/s", "forward difference at a bounce");
     out.number("kink_backward", behind, "m/s", "backward difference at a bounce");
     out.number("kink_central", central, "m/s", "central difference at a bounce");
     bool same = true;
-    for (int k = 0; k <= 40; ++k)
-        same = same && central_difference(height, 0.0, std::ldexp(1.0, -k)) == central;
-    out.check("kink", same,
-              "at the bounce the central difference is the same for h = 1, 1/2, 1/4 and on");
+    for (int k = 0; k <= 40; ++k) same = same && central_difference(height, 0.0, std::ldexp(1.0, -k)) == central;
+    out.check("kink", same, "at the bounce the central difference is the same for h = 1, 1/2, 1/4 and on");
 }
 
 }  // namespace

@@ -22,13 +22,10 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 template <class Function>
 void secants(const Function& f, double x, lab::Findings& out) {
     auto& table = out.table("secants.tsv", {"x", "f", "chord_1", "chord_2", "chord_3", "tangent"});
-    const auto chord = [&](double h, double at) {
-        return f(x) + forward_difference(f, x, h) * (at - x);
-    };
+    const auto chord = [&](double h, double at) { return f(x) + forward_difference(f, x, h) * (at - x); };
     for (int i = -40; i <= 60; ++i) {
         const double at = x + i / 50.0;
-        table.row({at, f(at), chord(1, at), chord(0.5, at), chord(0.25, at),
-                   f(x) + f.derivative(1, x) * (at - x)});
+        table.row({at, f(at), chord(1, at), chord(0.5, at), chord(0.25, at), f(x) + f.derivative(1, x) * (at - x)});
     }
     auto& ends = out.table("secant_ends.tsv", {"x", "f"});
     for (const double h : {0.0, 0.25, 0.5, 1.0}) ends.row({x + h, f(x + h)});
@@ -52,8 +49,7 @@ void line(lab::Findings& out) {
         worst = std::max(worst, error * h / (epsilon * std::fabs(rising(x))));
         level_is_zero = level_is_zero && forward_difference(level, x, h) == 0;
     }
-    out.check("line_exact", worst <= 4,
-              "on a line the error is at most 4 eps |f|/h, that is, rounding");
+    out.check("line_exact", worst <= 4, "on a line the error is at most 4 eps |f|/h, that is, rounding");
     out.check("level_zero", level_is_zero, "on a horizontal line the difference is exactly zero");
 }
 
@@ -84,8 +80,7 @@ void parabola(lab::Findings& out) {
 constexpr double compare_step = 1e-3;
 
 template <class F, class Slope>
-void compare(const char* name, const F& f, const Slope& slope, double from, double to,
-             lab::Findings& out) {
+void compare(const char* name, const F& f, const Slope& slope, double from, double to, lab::Findings& out) {
     auto& table = out.table(std::string(name) + ".tsv", {"x", "f", "slope"});
     for (int i = 0; i <= 200; ++i) {
         const double x = from + (to - from) * i / 200;
@@ -99,8 +94,7 @@ void compare(const char* name, const F& f, const Slope& slope, double from, doub
         dots.row({x, found});
         worst = std::max(worst, std::fabs(found - slope(x)));
     }
-    out.number(std::string(name) + "_error", worst, "", "largest error of its central differences",
-               2);
+    out.number(std::string(name) + "_error", worst, "", "largest error of its central differences", 2);
 }
 
 // N07, N08: the three chords around one point of a sine.
@@ -128,16 +122,14 @@ void slopes(const Function& f, const Settings& settings, lab::Findings& out) {
         std::printf("  %-11s %.12g, off by %.2g\n", formula.name, slope, error);
         std::string name = formula.name;
         std::replace(name.begin(), name.end(), '-', '_');
-        out.number(name + "_error", std::fabs(error), "",
-                   "error of that slope at the given x and h", 2);
+        out.number(name + "_error", std::fabs(error), "", "error of that slope at the given x and h", 2);
     };
     print(forward_difference);
     print(backward_difference);
     print(central_difference);
     print(five_point_difference);
     out.check("central_is_better",
-              std::fabs(central_difference(f, x, h) - exact) <
-                  std::fabs(forward_difference(f, x, h) - exact),
+              std::fabs(central_difference(f, x, h) - exact) < std::fabs(forward_difference(f, x, h) - exact),
               "the central difference errs less than the forward one, for as many values");
     secants(f, x, out);
 }
@@ -146,8 +138,8 @@ void slopes(const Function& f, const Settings& settings, lab::Findings& out) {
 
 void curves(const Settings& settings, lab::Findings& out) {
     char title[80];
-    std::snprintf(title, sizeof title, "The slope of %s at x = %g, with h = %g",
-                  settings.function.c_str(), settings.at, settings.step);
+    std::snprintf(title, sizeof title, "The slope of %s at x = %g, with h = %g", settings.function.c_str(), settings.at,
+                  settings.step);
     out.section(title);
     out.number("step", settings.step, "", "the step h of the four slopes");
     out.number("at", settings.at, "", "the x of the four slopes");
@@ -159,13 +151,12 @@ void curves(const Settings& settings, lab::Findings& out) {
     out.number("exponent", a, "", "the a of the exponentials drawn");
     out.number("compare_step", compare_step, "", "the step of their and the sine's differences");
     compare(
-        "growth", [](double x) { return std::exp(a * x); },
-        [](double x) { return a * std::exp(a * x); }, -2, 1, out);
+        "growth", [](double x) { return std::exp(a * x); }, [](double x) { return a * std::exp(a * x); }, -2, 1, out);
     compare(
-        "decay", [](double x) { return std::exp(-a * x); },
-        [](double x) { return -a * std::exp(-a * x); }, -0.5, 2.5, out);
+        "decay", [](double x) { return std::exp(-a * x); }, [](double x) { return -a * std::exp(-a * x); }, -0.5, 2.5,
+        out);
     compare(
-        "sine", [](double x) { return std::sin(x); }, [](double x) { return std::cos(x); }, 0,
-        2 * std::numbers::pi, out);
+        "sine", [](double x) { return std::sin(x); }, [](double x) { return std::cos(x); }, 0, 2 * std::numbers::pi,
+        out);
     chords(out);
 }

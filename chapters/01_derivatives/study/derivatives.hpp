@@ -17,5 +17,5 @@ void frames(const Settings& settings, lab::Findings& out);      // hand.cpp: vel
 void curves(const Settings& settings, lab::Findings& out);      // curves.cpp: tangents and chords
 void orders(const Settings& settings, lab::Findings& out);      // orders.cpp: how fast errors fall
 void best_steps(const Settings& settings, lab::Findings& out);  // best_steps.cpp: where they stop
-void taylor_series(lab::Findings& out);                       // series.cpp: polynomials for a sine
-void mistakes(const Settings& settings, lab::Findings& out);  // break_it.cpp: break it
+void taylor_series(lab::Findings& out);                         // series.cpp: polynomials for a sine
+void mistakes(const Settings& settings, lab::Findings& out);    // break_it.cpp: break it

@@ -70,22 +70,18 @@ void draw_hand(const Received& received, double h, int frames_apart, lab::Findin
 // N06: velocity is the slope of the position, acceleration the slope of the velocity.
 void dots(double h, lab::Findings& out) {
     /// [dots]
-    const auto dot = [h](auto x) {
-        return [x, h](double t) { return central_difference(x, t, h); };
-    };
+    const auto dot = [h](auto x) { return [x, h](double t) { return central_difference(x, t, h); }; };
     const auto x_dot = dot(position);
     const auto x_dot_dot = dot(x_dot);
     /// [dots]
     const double t = 0.5;
-    std::printf("without rounding, at %g s: x = %.4f m, its slope is %.4f m/s,\n", t, position(t),
-                x_dot(t));
+    std::printf("without rounding, at %g s: x = %.4f m, its slope is %.4f m/s,\n", t, position(t), x_dot(t));
     std::printf("the slope's slope %.4f m/s^2\n", x_dot_dot(t));
     out.number("dots_t", t, "s", "a moment of the hand's swing");
     out.number("dots_v", x_dot(t), "m/s", "velocity there, a difference of positions", 4);
     out.number("dots_v_exact", velocity(t), "m/s", "velocity there, exactly", 4);
     out.number("dots_a", x_dot_dot(t), "m/s²", "acceleration, a difference of velocities", 4);
-    out.number("dots_a_exact", -omega * omega * position(t), "m/s²", "acceleration there, exactly",
-               4);
+    out.number("dots_a_exact", -omega * omega * position(t), "m/s²", "acceleration there, exactly", 4);
 }
 
 }  // namespace
@@ -96,10 +92,8 @@ void frames(const Settings& settings, lab::Findings& out) {
     const double noise = settings.grid / 2;
 
     out.section("Velocity from frames");
-    std::printf("a hand swings at up to 1 m/s; its position comes %g times a second,\n",
-                settings.rate);
-    std::printf("rounded to %g m; largest error of (x2 - x1)/gap, in m/s, as the velocity\n",
-                settings.grid);
+    std::printf("a hand swings at up to 1 m/s; its position comes %g times a second,\n", settings.rate);
+    std::printf("rounded to %g m; largest error of (x2 - x1)/gap, in m/s, as the velocity\n", settings.grid);
     std::printf("  frames apart       now    in between\n");
     auto& table = out.table("gap.tsv", {"frames", "now", "now_bound", "between", "between_bound"});
     Errors one_frame, best;
@@ -112,8 +106,7 @@ void frames(const Settings& settings, lab::Findings& out) {
         const Errors bound{error_bound(backward_difference, gap, noise, most_acceleration),
                            error_bound(central_difference, gap / 2, noise, most_jerk)};
         // The arithmetic itself rounds positions below 1 m, and their times, by less than 1e-14.
-        bounded = bounded && errors.now <= bound.now + 1e-14 / gap &&
-                  errors.between <= bound.between + 1e-14 / gap;
+        bounded = bounded && errors.now <= bound.now + 1e-14 / gap && errors.between <= bound.between + 1e-14 / gap;
         if (n == 1) one_frame = errors;
         if (errors.now < best.now) best.now = errors.now, best_now = n;
         if (errors.between < best.between) best.between = errors.between, best_between = n;
@@ -141,16 +134,14 @@ void frames(const Settings& settings, lab::Findings& out) {
     out.number("between_predicted", between_predicted, "", "the same, predicted", 2);
     out.number("between_error", best.between, "m/s", "largest error with that gap", 2);
     out.number("between_late", 500 * best_between * h, "ms", "how late that velocity is", 3);
-    out.check("frames_bounded", bounded,
-              "no error is larger than predicted, at any gap up to half a second");
+    out.check("frames_bounded", bounded, "no error is larger than predicted, at any gap up to half a second");
     // The predicted gap, in whole frames, against the best one.
     const auto at = [&](double frames) {
         const long n = std::lround(std::min(frames, double(most_frames)));
         return largest_errors(received, h, static_cast<int>(std::max(n, 1L)));
     };
     out.check("gaps_predicted",
-              at(now_predicted).now <= 1.1 * best.now &&
-                  at(between_predicted).between <= 1.1 * best.between,
+              at(now_predicted).now <= 1.1 * best.now && at(between_predicted).between <= 1.1 * best.between,
               "the predicted gaps err at most a tenth more than the best ones");
     out.check("one_frame_is_worse", one_frame.now > 2 * best.now,
               "neighbouring frames err more than twice as much as the best gap");

@@ -53,8 +53,7 @@ Promise promise(const Formula& formula, const Function& f, double x) {
             break;
         }
     }
-    const double noise =
-        epsilon / 2 * (std::fabs(f(x)) + result.high * std::fabs(f.derivative(1, x)));
+    const double noise = epsilon / 2 * (std::fabs(f(x)) + result.high * std::fabs(f.derivative(1, x)));
     result.low = std::pow(100 * formula.noise_gain * noise / leading, 1.0 / (result.order + 1));
     result.low = std::max(result.low, 1e-6);  // at a root there is next to no rounding
     return result;
@@ -74,8 +73,7 @@ double order_at(const Formula& formula, const Function& f, double x, const Promi
 
 // One cell of the table. Returns whether the order is the formula's own, as far as it can be seen.
 template <class Formula, class Function>
-bool cell(const Formula& formula, const Function& f, double x, const std::string& name,
-          lab::Findings& out) {
+bool cell(const Formula& formula, const Function& f, double x, const std::string& name, lab::Findings& out) {
     const Promise promised = promise(formula, f, x);
     if (!promised.visible()) {
         std::printf("  %8s", promised.order == 0 ? "exact" : "hidden");
@@ -95,8 +93,8 @@ void row(const Formula& formula, const std::string& name, double x, lab::Finding
     const bool on_cube = cell(formula, Cube{}, x, name, out);
     std::printf("\n");
     out.check("order_" + name, on_exp && on_sin && on_cube,
-              std::string("the ") + formula.name + " difference has order " +
-                  std::to_string(formula.order) + " to within 0.05 wherever its error can be seen");
+              std::string("the ") + formula.name + " difference has order " + std::to_string(formula.order) +
+                  " to within 0.05 wherever its error can be seen");
 }
 
 }  // namespace
@@ -111,8 +109,7 @@ void orders(const Settings& settings, lab::Findings& out) {
     row(central_difference, "central", settings.at, out);
     row(five_point_difference, "five_point", settings.at, out);
 
-    const double flat =
-        order_at(forward_difference, Sine{}, 0, promise(forward_difference, Sine{}, 0));
+    const double flat = order_at(forward_difference, Sine{}, 0, promise(forward_difference, Sine{}, 0));
     std::printf("  forward, sin at x = 0, where the second derivative is zero: %.3f\n", flat);
     out.number("order_flat", flat, "", "order of the forward difference of sin at 0", 4);
     out.check("order_flat", std::fabs(flat - 2) <= 0.05,

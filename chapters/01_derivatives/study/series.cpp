@@ -21,9 +21,7 @@ namespace {
 // sin and its derivatives at 0: 0, 1, 0, −1, 0, 1, …
 const std::array<double, 10> sine_at_0{0, 1, 0, -1, 0, 1, 0, -1, 0, 1};
 
-double truncated_sine(int order, double t) {
-    return taylor(std::span(sine_at_0).first(order + 1), t);
-}
+double truncated_sine(int order, double t) { return taylor(std::span(sine_at_0).first(order + 1), t); }
 
 // After the term in tⁿ the next one is tⁿ⁺²/(n + 2)!, then comes −tⁿ⁺⁴/(n + 4)!. So the local order
 // of the remainder is n + 2 − 2t²/((n + 3)(n + 4)); up to `high` that last part stays below 0.04,
@@ -67,8 +65,7 @@ void taylor_series(lab::Findings& out) {
         const double order = remainder_order(n);
         std::printf("     t^%d   %14.2g   %18.3f\n", n, error, order);
         const std::string name = "series_" + std::to_string(n);
-        if (n == 1 || n == 9)
-            out.number(name + "_error", error, "", "error of the truncated series at t = 1", 2);
+        if (n == 1 || n == 9) out.number(name + "_error", error, "", "error of the truncated series at t = 1", 2);
         if (n == 3) out.number(name + "_order", order, "", "measured order of its error", 4);
         orders_match = orders_match && std::fabs(order - (n + 2)) <= 0.05;
         better_and_better = better_and_better && error < before;
@@ -76,13 +73,11 @@ void taylor_series(lab::Findings& out) {
     }
     out.check("series_orders", orders_match,
               "cut off after t^1, 3, 5, 7, 9 the error has order 3, 5, 7, 9, 11 to within 0.05");
-    out.check("series_better", better_and_better,
-              "each further term makes the error at t = 1 smaller");
+    out.check("series_better", better_and_better, "each further term makes the error at t = 1 smaller");
 
     const double second = second_difference_order();
     std::printf("second difference of sin at 1: order %.3f\n", second);
-    out.check("order_second", std::fabs(second - 2) <= 0.05,
-              "the second difference has order 2 to within 0.05");
+    out.check("order_second", std::fabs(second - 2) <= 0.05, "the second difference has order 2 to within 0.05");
 
     auto& table = out.table("taylor.tsv", {"t", "sin", "1", "3", "5", "7", "9"});
     for (int i = -160; i <= 160; ++i) {

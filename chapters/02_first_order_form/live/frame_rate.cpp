@@ -43,8 +43,7 @@ public:
 
     void draw(live::Picture& p) const override {
         const double side = p.narrow ? 1.2 : 0.45;
-        p.window(-2 * side, 2 * side, -0.1, 2.8, true, 0, p.narrow ? 1 : 0.36, p.narrow ? 0.58 : 0,
-                 1);
+        p.window(-2 * side, 2 * side, -0.1, 2.8, true, 0, p.narrow ? 1 : 0.36, p.narrow ? 0.58 : 0, 1);
         p.ink("ink", 2);
         p.segment(-4, 0, 4, 0);
         draw_character(p, -side, "variable step", variable_name, frames[shown].variable);
@@ -54,22 +53,17 @@ public:
         p.axes("time, s", "height of the hip, m");
         p.ink("exact", 5, 0.6);
         for (std::size_t i = 0; i + 1 < exact.size(); ++i)
-            i == 0 ? p.move(0, 1 + exact[0].x)
-                   : p.line(gap * static_cast<double>(i), 1 + exact[i].x);
+            i == 0 ? p.move(0, 1 + exact[0].x) : p.line(gap * static_cast<double>(i), 1 + exact[i].x);
         p.stroke();
         draw_trace(p, variable_name, &Frame::variable);
         draw_trace(p, fixed_name, &Frame::fixed);
     }
 
     // The character can be pulled at, and stays in the hand until it is let go.
-    bool grab(double x, double height) override {
-        return held = std::fabs(x) < 2 && height > 0.3 && height < 2.3;
-    }
+    bool grab(double x, double height) override { return held = std::fabs(x) < 2 && height > 0.3 && height < 2.3; }
     void drag(double, double height) override { set(start, height - 1); }
     void let_go() override { held = false; }
-    bool handle(double& x, double& height) const override {
-        return x = 0, height = 1 + start, true;
-    }
+    bool handle(double& x, double& height) const override { return x = 0, height = 1 + start, true; }
 
 private:
     using Character = State<double>;
@@ -78,9 +72,9 @@ private:
     };
     static constexpr const char* variable_name = "variable time step";
     static constexpr const char* fixed_name = "fixed time step";
-    static constexpr double length = 4;    // s
-    static constexpr double gap = 0.02;    // s, between two known states of the true motion
-    static constexpr double too_far = 10;  // m: whoever has gone so far has blown up
+    static constexpr double length = 4;                             // s
+    static constexpr double gap = 0.02;                             // s, between two known states of the true motion
+    static constexpr double too_far = 10;                           // m: whoever has gone so far has blown up
     static constexpr double omega = 8, zeta = 0.1, gravity = 9.81;  // the chapter's character
 
     template <class Method>
@@ -100,11 +94,9 @@ private:
         variable_far = 0, fixed_far = 0;
         double time = 0;
         for (count = 0; count < frames.size() && time <= length; ++count) {
-            frames[count] = {time, variable.x,
-                             (interpolated ? interpolate(before, now, loop.alpha()) : now).x};
+            frames[count] = {time, variable.x, (interpolated ? interpolate(before, now, loop.alpha()) : now).x};
             double passed = 1 / rate;
-            if (std::floor(time + 0.5 + passed) > std::floor(time + 0.5))
-                passed += hitch / 1000;  // once a second
+            if (std::floor(time + 0.5 + passed) > std::floor(time + 0.5)) passed += hitch / 1000;  // once a second
             time += passed;
 
             if (variable_holds) variable = step(variable, passed);
@@ -139,8 +131,7 @@ private:
         }
     }
 
-    static void draw_character(live::Picture& p, double x, const char* words, const char* look,
-                               double height) {
+    static void draw_character(live::Picture& p, double x, const char* words, const char* look, double height) {
         p.ink(look, 2);
         p.text(x - 0.35, 2.6, words);
         if (std::fabs(height) > too_far) return;
@@ -161,16 +152,14 @@ private:
             i == 0 ? p.move(0, 1 + frames[i].*x) : p.line(frames[i].time, 1 + frames[i].*x);
         p.stroke();
         for (std::size_t i = 0; i < count && std::fabs(frames[i].*x) <= too_far; ++i)
-            if (i == shown || rate < 100)
-                p.dot(frames[i].time, 1 + frames[i].*x, i == shown ? 7 : 2.5);
+            if (i == shown || rate < 100) p.dot(frames[i].time, 1 + frames[i].*x, i == shown ? 7 : 2.5);
     }
 
     live::Slider rate{this, "rate", "frame rate", 10, 240, 1, 30, "Hz"};
     live::Slider hitch{this, "hitch", "hitch each second", 0, 250, 5, 0, "ms"};
     live::Slider fixed_rate{this, "fixed", "fixed step rate", 20, 240, 1, 60, "Hz"};
     live::Toggle interpolated{this, "interpolated", "interpolate", true};
-    live::Choice method{this, "method", "method",
-                        "explicit Euler|semi-implicit Euler|Runge-Kutta 4"};
+    live::Choice method{this, "method", "method", "explicit Euler|semi-implicit Euler|Runge-Kutta 4"};
     live::Slider start{this, "start", "let go at", -0.5, 0.5, 0.01, -0.45, "m"};
     // How far from the true motion each has been at most.
     live::Readout variable_far{this, variable_name, "m off"}, fixed_far{this, fixed_name, "m off"};

@@ -30,8 +30,7 @@ using System = std::function<Y(double, const Y&)>;
 
 // Steps it with RK4.
 template <class Y>
-FirstOrder<Y> stepped(const std::type_identity_t<System<Y>>& system, const FirstOrder<Y>& start,
-                      double h, int steps) {
+FirstOrder<Y> stepped(const std::type_identity_t<System<Y>>& system, const FirstOrder<Y>& start, double h, int steps) {
     return run(runge_kutta_4, system, start, h, steps);
 }
 
@@ -124,18 +123,13 @@ void coupled(const Settings& settings, lab::Findings& out) {
     const Vector2 w = row.frequencies();
     std::printf("  two bodies tied by a spring: modes at %.4g and %.4g rad/s\n", w(0), w(1));
     std::printf("  RK4, 40 steps a period, is never more than %.1e m off\n", worst);
-    out.number("mode_together", w(0), "rad/s",
-               "frequency of the mode in which both go the same way");
-    out.number("mode_against", w(1), "rad/s",
-               "frequency of the mode in which they go opposite ways");
-    out.number("beat", 2 * pi / (w(1) - w(0)), "s",
-               "time in which the oscillation wanders over and back");
-    out.number("coupled_error", 1000 * worst, "mm", "largest distance of RK4 from the exact motion",
-               2);
+    out.number("mode_together", w(0), "rad/s", "frequency of the mode in which both go the same way");
+    out.number("mode_against", w(1), "rad/s", "frequency of the mode in which they go opposite ways");
+    out.number("beat", 2 * pi / (w(1) - w(0)), "s", "time in which the oscillation wanders over and back");
+    out.number("coupled_error", 1000 * worst, "mm", "largest distance of RK4 from the exact motion", 2);
     // RK4 turns each mode late by (ωh)⁵/120 a step: over 12 swings of 40 steps with ωh = 2π/40, and
     // 1.1 times that for the faster mode, 480 · 1.6 · (2π/40)⁵/120 = 6e-4 of the amplitude.
-    out.check("coupled_follows", worst < 6e-4 * dip,
-              "RK4 follows the exact motion of the coupled bodies");
+    out.check("coupled_follows", worst < 6e-4 * dip, "RK4 follows the exact motion of the coupled bodies");
 }
 
 // One solver, every scene: only numbers go in and out.
@@ -146,9 +140,8 @@ struct Everything {
     int scenes = 0;
 
     template <class Y>
-    void scene(const char* name, const char* equation,
-               const std::type_identity_t<System<Y>>& system, const FirstOrder<Y>& start,
-               const Y& answer) {
+    void scene(const char* name, const char* equation, const std::type_identity_t<System<Y>>& system,
+               const FirstOrder<Y>& start, const Y& answer) {
         ++scenes;
         const FirstOrder<Y> end = stepped(system, start, 1.0 / 60, 60);
         double error = 0, size = 1;
@@ -169,8 +162,8 @@ struct Everything {
 
     // Where no exact solution is known, the same in steps 64 times smaller.
     template <class Y>
-    void hard_scene(const char* name, const char* equation,
-                    const std::type_identity_t<System<Y>>& system, const FirstOrder<Y>& start) {
+    void hard_scene(const char* name, const char* equation, const std::type_identity_t<System<Y>>& system,
+                    const FirstOrder<Y>& start) {
         const Y answer = stepped(system, start, 1.0 / 60 / 64, 60 * 64).y;
         scene(name, equation, system, start, answer);
     }
@@ -178,17 +171,16 @@ struct Everything {
 
 void one_solver(const Settings& settings, lab::Findings& out) {
     std::printf("  one solver, RK4 in 60 steps, and one second of every scene:\n");
-    auto& table = out.table(
-        "scenes.tsv", {"scene", "rate of change of y", "numbers in y", "error after 60 steps"});
+    auto& table = out.table("scenes.tsv", {"scene", "rate of change of y", "numbers in y", "error after 60 steps"});
     Everything every{settings, out, table};
 
     every.scene("fading sound", "$-3y$", Decay{-3.0}, FirstOrder{0, 1.0}, std::exp(-3.0));
     const Projectile fall{Vector2(0, -gravity)};
-    every.scene("grenade without drag", "$(v,\\ g)$", FirstOrderForm{fall},
-                stacked(throw_grenade()), stacked(fall.exact(throw_grenade(), 1)).y);
+    every.scene("grenade without drag", "$(v,\\ g)$", FirstOrderForm{fall}, stacked(throw_grenade()),
+                stacked(fall.exact(throw_grenade(), 1)).y);
     const Spring spring(settings.omega());
-    every.scene("spring", "$(v,\\ -\\omega^2x)$", FirstOrderForm{spring},
-                stacked(State{0, dip, 0.0}), stacked(spring.exact(State{0, dip, 0.0}, 1)).y);
+    every.scene("spring", "$(v,\\ -\\omega^2x)$", FirstOrderForm{spring}, stacked(State{0, dip, 0.0}),
+                stacked(spring.exact(State{0, dip, 0.0}, 1)).y);
     // The character swings about its equilibrium as its legs alone would about zero.
     const State landing{0, 0.0, -3.0};
     const double sag = -gravity / (spring.omega * spring.omega);
@@ -196,16 +188,14 @@ void one_solver(const Settings& settings, lab::Findings& out) {
     stands.x += sag;
     every.scene("character on its legs", "$(v,\\ -\\omega^2x - 2\\zeta\\omega v - g)$",
                 FirstOrderForm{character(settings)}, stacked(landing), stacked(stands).y);
-    every.hard_scene("grenade with drag", "$(v,\\ g - k\\lvert v\\rvert v)$",
-                     FirstOrderForm{grenade(settings)}, stacked(throw_grenade()));
-    every.hard_scene("tether in space",
-                     "$(v,\\ -\\omega^2(\\lvert x\\rvert - L)\\,x/\\lvert x\\rvert)$",
-                     FirstOrderForm{Tether{6.0, 1.0}},
-                     stacked(State{0, Vector3(1.5, 0, 0.5), Vector3(0, 3, 1)}));
+    every.hard_scene("grenade with drag", "$(v,\\ g - k\\lvert v\\rvert v)$", FirstOrderForm{grenade(settings)},
+                     stacked(throw_grenade()));
+    every.hard_scene("tether in space", "$(v,\\ -\\omega^2(\\lvert x\\rvert - L)\\,x/\\lvert x\\rvert)$",
+                     FirstOrderForm{Tether{6.0, 1.0}}, stacked(State{0, Vector3(1.5, 0, 0.5), Vector3(0, 3, 1)}));
     const CoupledSprings row(Vector2(80, 80), Vector3(5120, 512, 5120));
     const State pulled{0, Vector2(dip, 0), Vector2(0, 0)};
-    every.scene("two coupled bodies", "$v$, and the springs' pulls over the masses",
-                FirstOrderForm{row}, stacked(pulled), stacked(row.exact(pulled, 1)).y);
+    every.scene("two coupled bodies", "$v$, and the springs' pulls over the masses", FirstOrderForm{row},
+                stacked(pulled), stacked(row.exact(pulled, 1)).y);
     out.number("scenes", every.scenes, "", "scenes that one solver steps");
 }
 
@@ -217,9 +207,7 @@ void arrays(const Settings& settings, lab::Findings& out) {
     const Compared both = both_in_one_array(settings), many = many_in_one_array(settings);
     std::printf("  character and grenade in one array: %s\n", both.words().c_str());
     std::printf("  eight springs in one array: %s\n", many.words().c_str());
-    out.check("both_same_bits", both.same,
-              "character and grenade in one array give the same bits as alone");
-    out.check("many_same_bits", many.same,
-              "eight springs in one array give the same bits as eight runs");
+    out.check("both_same_bits", both.same, "character and grenade in one array give the same bits as alone");
+    out.check("many_same_bits", many.same, "eight springs in one array give the same bits as eight runs");
     one_solver(settings, out);
 }

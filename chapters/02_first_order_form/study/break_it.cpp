@@ -52,25 +52,21 @@ void taking_turns(lab::Findings& out) {
         "    %8.0f times in %.2f s when frames take turns\n",
         omega, most_60, most_30, grown, turns.t);
     const double root = std::sqrt(17.0);  // of 4u² − 9u + 4 = 0, u = (ωh)²
-    out.number("turns_low", std::sqrt((9 - root) / 8), "",
-               "taking turns is fatal from this omega h on");
+    out.number("turns_low", std::sqrt((9 - root) / 8), "", "taking turns is fatal from this omega h on");
     out.number("turns_high", std::sqrt((9 + root) / 8), "", "up to this");
-    out.number("steady_most", std::max(most_60, most_30), "",
-               "largest amplitude at a steady rate, of one at the start", 2);
+    out.number("steady_most", std::max(most_60, most_30), "", "largest amplitude at a steady rate, of one at the start",
+               2);
     out.number("turns_omega", omega, "rad/s", "the spring that cannot stand frames taking turns");
     out.number("turns_short", 1000 * h, "ms", "the short frames", 3);
     out.number("turns_long", 2000 * h, "ms", "and the long ones", 3);
-    out.number("turns_growth", predicted, "",
-               "by this each pair of frames multiplies the amplitude");
+    out.number("turns_growth", predicted, "", "by this each pair of frames multiplies the amplitude");
     out.number("turns_pairs", 2 * rounds, "", "pairs of frames in the run");
-    out.number("turns_power", std::pow(predicted, 2 * rounds), "", "growth that many pairs make",
-               2);
+    out.number("turns_power", std::pow(predicted, 2 * rounds), "", "growth that many pairs make", 2);
     out.number("turns_grown", grown, "", "amplitude after the run, of one at the start", 2);
     out.number("turns_seconds", turns.t, "s", "length of the run");
     out.number("turns_lean", grown / std::pow(predicted, 2 * rounds), "",
                "one over the other: what the first pairs add", 2);
-    out.check("steady_holds", most_60 < 3 && most_30 < 3,
-              "at a steady rate the spring stays bounded");
+    out.check("steady_holds", most_60 < 3 && most_30 < 3, "at a steady rate the spring stays bounded");
     const double lean = grown / std::pow(predicted, 2 * rounds);
     out.check("turns_blow_up", grown > 1e3 && lean > 1 && lean < 3,
               "with frames taking turns it blows up, by one to three times what the factor of a "
@@ -85,8 +81,7 @@ void spiral_of_death(lab::Findings& out) {
     auto& table = out.table("spiral_of_death.tsv", {"frame", "no_cap", "cap"});
     double a = h, b = h;
     const int frames = 30;
-    double speed =
-        0;  // of the game with the cap, in the last frame: time simulated over time passed
+    double speed = 0;  // of the game with the cap, in the last frame: time simulated over time passed
     for (int i = 0;; ++i) {
         table.row({double(i), 1000 * a, 1000 * b});
         if (i == frames) break;
@@ -105,11 +100,9 @@ void spiral_of_death(lab::Findings& out) {
     out.number("death_frame", a, "s", "how long the last frame of the run takes without a cap", 2);
     out.number("capped_frame", 1000 * b, "ms", "and with a cap of five steps");
     out.number("death_frames", frames, "", "number of that frame");
-    out.number("capped_speed", 100 * speed, "%", "speed of the game in a steady frame with the cap",
-               2);
+    out.number("capped_speed", 100 * speed, "%", "speed of the game in a steady frame with the cap", 2);
     out.check("spiral_grows", a > 10 * b, "without the cap frames take longer and longer");
-    out.check("cap_holds", b < drawing + 5.01 * cost,
-              "with the cap no frame takes more than five steps");
+    out.check("cap_holds", b < drawing + 5.01 * cost, "with the cap no frame takes more than five steps");
     // Frames are steady: five steps of h in the time of one frame, but for the roundoff of a clock.
     out.check("capped_speed_steady", std::fabs(speed - 5 * h / b) < 1e-12,
               "with the cap the game runs at the speed of five steps a frame");
@@ -127,10 +120,8 @@ void adding_clock(lab::Findings& out) {
         "  after an hour a float clock that adds is %.1f s off,\n"
         "  one that counts %.1e s\n",
         std::fabs(added - hour), std::fabs(counted - hour));
-    out.number("added_clock", std::fabs(added - hour), "s",
-               "error of an adding float clock after an hour");
-    out.number("counted_clock", 1000 * std::fabs(counted - hour), "ms", "error of a counting one",
-               2);
+    out.number("added_clock", std::fabs(added - hour), "s", "error of an adding float clock after an hour");
+    out.number("counted_clock", 1000 * std::fabs(counted - hour), "ms", "error of a counting one", 2);
     out.check("counting_better", std::fabs(counted - hour) < std::fabs(added - hour),
               "counting steps keeps better time than adding them up");
 }

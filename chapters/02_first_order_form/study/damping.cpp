@@ -58,8 +58,7 @@ void family(double omega, lab::Findings& out) {
             out.check(zeta == 1 ? "critical_no_swing" : "overdamped_no_swing", count == 0,
                       "let go at rest, a mass with zeta >= 1 never crosses zero");
     }
-    out.number("settled_07", at_07, "s",
-               "time to come and stay within 5 % at a damping ratio of 0.7");
+    out.number("settled_07", at_07, "s", "time to come and stay within 5 % at a damping ratio of 0.7");
     out.number("settled_1", at_1, "s", "the same at critical damping");
     out.check("softer_settles_sooner", at_07 < at_1,
               "a damping ratio of 0.7 settles to 5 % sooner than critical damping");
@@ -88,8 +87,8 @@ void spiral(const Settings& settings, lab::Findings& out) {
         legs.zeta, settings.period(), 100 * std::fabs(left));
     out.number("zeta", legs.zeta, "", "damping ratio of the character's legs");
     out.number("damping", settings.damping, "N·s/m", "damping of its legs");
-    out.number("left_after_a_swing", 100 * std::fabs(left), "%",
-               "what is left of the amplitude after a time of 2π/ω", 2);
+    out.number("left_after_a_swing", 100 * std::fabs(left), "%", "what is left of the amplitude after a time of 2π/ω",
+               2);
 }
 
 // A legend that is easily told too simply: beyond ζ = 1 the solution is a sum of two exponentials,
@@ -121,8 +120,7 @@ void zero_crossing(double omega, lab::Findings& out) {
             const double when = std::log((start.v + p * dip) / (start.v + q * dip)) / (q - p);
             out.number("crossing_zeta", zeta, "", "damping ratio of the throws");
             out.number("crossing_time", when, "s", "when the fast throw crosses zero");
-            out.number("crossing_speed", q * dip, "m/s", "the speed q x0 beyond which it crosses",
-                       4);
+            out.number("crossing_speed", q * dip, "m/s", "the speed q x0 beyond which it crosses", 4);
             out.number("thrown_speed", -start.v, "m/s", "speed of the throw that crosses", 4);
             out.check("crosses_once", count == 1, "thrown faster than q x0, it crosses zero once");
             out.check("crossing_predicted", std::fabs(legs.exact(start, when).x) < 1e-14 * dip,
@@ -147,8 +145,7 @@ void near_critical(double omega, lab::Findings& out) {
     for (double exponent = -15; exponent <= -1; exponent += 0.125) {
         const double zeta = 1 + std::pow(10, exponent);
         const DampedSpring<long double> reference(omega, zeta);
-        const double exact =
-            static_cast<double>(reference.exact(State<long double>{0, dip, 0}, t).x);
+        const double exact = static_cast<double>(reference.exact(State<long double>{0, dip, 0}, t).x);
         const double ours = std::fabs(DampedSpring(omega, zeta).exact(start, t).x / exact - 1);
         const double theirs = std::fabs(textbook(omega, zeta, dip, t) / exact - 1);
         table.row({zeta - 1, theirs, ours});
@@ -159,12 +156,10 @@ void near_critical(double omega, lab::Findings& out) {
         "  near zeta = 1, exact() is at most %.1e off,\n"
         "  the textbook's formula up to %.1e\n",
         worst_ours, worst_textbook);
-    out.number("near_critical_ours", worst_ours, "",
-               "largest relative error of exact() near zeta = 1", 2);
+    out.number("near_critical_ours", worst_ours, "", "largest relative error of exact() near zeta = 1", 2);
     out.number("near_critical_textbook", worst_textbook, "", "the textbook formula's", 2);
     // At ωt = 3 the exponent pt = 3 is rounded three times and the terms some ten times: 10 ε.
-    out.check("accurate_near_critical", worst_ours < 10 * 2.3e-16,
-              "exact() keeps its digits as zeta -> 1");
+    out.check("accurate_near_critical", worst_ours < 10 * 2.3e-16, "exact() keeps its digits as zeta -> 1");
 }
 
 // The film: kicked once in a while, the mass rings down, and is kicked again. After some kicks the

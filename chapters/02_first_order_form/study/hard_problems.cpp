@@ -61,19 +61,16 @@ void drag(const Settings& settings, lab::Findings& out) {
     const auto model = grenade(settings);
     const double fine = 1.0 / 2048;
     const auto columns = {std::string("x"), std::string("y")};
-    const Landing vacuum = fly(runge_kutta_4, Projectile{Vector2(0, -gravity)}, fine,
-                               &out.table("path_vacuum.tsv", columns));
+    const Landing vacuum =
+        fly(runge_kutta_4, Projectile{Vector2(0, -gravity)}, fine, &out.table("path_vacuum.tsv", columns));
     const Landing air = fly(runge_kutta_4, model, fine, &out.table("path_drag.tsv", columns));
     const Landing coarse = fly(explicit_euler, model, 0.1, &out.table("path_euler.tsv", columns));
     std::printf("  the grenade lands at %.2f m; without air it would at %.2f m\n", air.x, vacuum.x);
-    std::printf("  explicit Euler at 10 steps a second misses the mark by %.2f m\n",
-                coarse.x - air.x);
+    std::printf("  explicit Euler at 10 steps a second misses the mark by %.2f m\n", coarse.x - air.x);
     out.number("range_drag", air.x, "m", "where the grenade lands", 4);
     out.number("range_vacuum", vacuum.x, "m", "where it would land without air", 4);
-    out.number("euler_misses", coarse.x - air.x, "m",
-               "by how much explicit Euler overshoots at 10 Hz");
-    out.number("terminal_speed", settings.terminal_speed, "m/s",
-               "the grenade's speed in a long fall");
+    out.number("euler_misses", coarse.x - air.x, "m", "by how much explicit Euler overshoots at 10 Hz");
+    out.number("terminal_speed", settings.terminal_speed, "m/s", "the grenade's speed in a long fall");
     out.check("drag_shortens", air.x < vacuum.x, "with drag the grenade lands short");
 
     const Vector2 mark = run(runge_kutta_4, model, throw_grenade(), fine, 3 * 2048).x;
@@ -83,8 +80,7 @@ void drag(const Settings& settings, lab::Findings& out) {
         "  to know its place after 3 s to 1 cm, explicit Euler evaluates\n"
         "  the forces %g times a second, RK4 %g times\n",
         euler, 4 * rk4);
-    auto& table = out.table(
-        "cost.tsv", {"method", "steps a second", "evaluations a step", "evaluations a second"});
+    auto& table = out.table("cost.tsv", {"method", "steps a second", "evaluations a step", "evaluations a second"});
     table.row({"explicit Euler", euler, 1.0, euler});
     table.row({"RK4", rk4, 4.0, 4 * rk4});
     out.check("rk4_cheaper_for_1cm", 4 * rk4 < euler,
@@ -92,8 +88,7 @@ void drag(const Settings& settings, lab::Findings& out) {
 }
 
 // How far the angular momentum x × v strays from its start.
-double momentum_error(const Tether<double>& tether, const State<Vector3>& start, double h,
-                      long steps) {
+double momentum_error(const Tether<double>& tether, const State<Vector3>& start, double h, long steps) {
     const Vector3 at_start = start.x.cross(start.v);
     double worst = 0;
     run(runge_kutta_4, tether, start, h, steps, [&](const State<Vector3>& s) {
@@ -122,8 +117,7 @@ void tether(lab::Findings& out) {
         "  tether: in %g s its angular momentum strays by %.1e\n"
         "  at 64 steps a second, by %.1e at 4096\n",
         seconds, coarse, fine);
-    out.number("momentum_fine", fine, "",
-               "drift of the angular momentum, 4096 steps per second: the reference", 2);
+    out.number("momentum_fine", fine, "", "drift of the angular momentum, 4096 steps per second: the reference", 2);
     out.number("orbit_seconds", seconds, "s", "how long the tethered mass is followed");
     // 64 times smaller steps make an error of order four 64⁴ = 1.7e7 times smaller, down to the
     // roundoff of 32768 steps: 32768 · 2ε at the very worst.

@@ -25,17 +25,14 @@ long most_steps(double step) { return std::lround(1 / step); }
 
 using Frames = std::vector<double>;  // how long each of them takes, s
 
-Frames steady(double frames_a_second) {
-    return Frames(std::lround(seconds * frames_a_second), 1 / frames_a_second);
-}
+Frames steady(double frames_a_second) { return Frames(std::lround(seconds * frames_a_second), 1 / frames_a_second); }
 
 // Frames as they come on a busy machine: from 5 to 70 ms, the same at each run.
 Frames unsteady() {
     std::mt19937 random(42);
     Frames frames;
     for (double t = 0; t < seconds;) {
-        const double passed =
-            std::min(0.005 + 0.065 * std::pow(random() / 4294967296.0, 3), seconds - t);
+        const double passed = std::min(0.005 + 0.065 * std::pow(random() / 4294967296.0, 3), seconds - t);
         frames.push_back(passed);
         t += passed;
     }
@@ -45,8 +42,7 @@ Frames unsteady() {
 const State<double> landing{0, 0, -3};  // the character lands on its legs at 3 m/s
 
 template <class Method, class Model, class Draw>
-void variable_step(const Method& method, const Model& scene, const Frames& frames,
-                   const Draw& draw) {
+void variable_step(const Method& method, const Model& scene, const Frames& frames, const Draw& draw) {
     /// [variable]
     // Every frame is one step, as long as the frame.
     State state = landing;
@@ -58,8 +54,8 @@ void variable_step(const Method& method, const Model& scene, const Frames& frame
 }
 
 template <class Method, class Model, class Draw, class Observe>
-void fixed_step(const Method& method, const Model& scene, const Frames& frames, double step,
-                const Draw& draw, const Observe& observe) {
+void fixed_step(const Method& method, const Model& scene, const Frames& frames, double step, const Draw& draw,
+                const Observe& observe) {
     /// [fixed]
     // Every frame takes the steps that are due, and draws between the last two.
     GameLoop loop(step, most_steps(step));
@@ -76,9 +72,7 @@ void fixed_step(const Method& method, const Model& scene, const Frames& frames, 
 }
 
 // A motion that has blown up is drawn at the edge of the picture, and told as a million kilometres.
-double within(double x, double limit) {
-    return std::isfinite(x) ? std::clamp(x, -limit, limit) : limit;
-}
+double within(double x, double limit) { return std::isfinite(x) ? std::clamp(x, -limit, limit) : limit; }
 
 double hip(const State<double>& s) { return leg + within(s.x, 5); }
 
@@ -109,8 +103,8 @@ struct Landing {
 };
 
 template <class Method>
-Landing land(const Method& method, const Settings& settings, const std::string& name,
-             const Frames& frames, lab::Findings& out) {
+Landing land(const Method& method, const Settings& settings, const std::string& name, const Frames& frames,
+             lab::Findings& out) {
     const auto scene = character(settings);
     Landing result;
     Swing variable{seconds - settings.period()}, fixed = variable, first{0, settings.period()};
@@ -134,8 +128,7 @@ Landing land(const Method& method, const Settings& settings, const std::string& 
     result.variable = variable.height();
     result.fixed = fixed.height();
     result.first = first.height();
-    std::printf("  %8s  %14.3g m  %12.3g m  %8zu\n", name.c_str(), result.variable, result.fixed,
-                result.states.size());
+    std::printf("  %8s  %14.3g m  %12.3g m  %8zu\n", name.c_str(), result.variable, result.fixed, result.states.size());
     return result;
 }
 
@@ -148,20 +141,17 @@ void frame_rates(const Method& method, const Settings& settings, lab::Findings& 
     const Landing at_30 = land(method, settings, "30", steady(30), out);
     const Landing uneven = land(method, settings, "unsteady", unsteady(), out);
 
-    const bool same = same_bits(at_144.states, at_60.states) &&
-                      same_bits(at_144.states, at_30.states) &&
+    const bool same = same_bits(at_144.states, at_60.states) && same_bits(at_144.states, at_30.states) &&
                       same_bits(at_144.states, uneven.states);
     std::printf("  with the fixed step all four find the same states%s\n",
                 same ? ", bit for bit" : ": NO, THEY DIFFER");
-    std::printf("  its first oscillation goes over %.4g m, its last over %.4g m: it %s\n",
-                at_60.first, at_60.fixed, at_60.fixed < at_60.first ? "settles" : "grows");
-    out.check("same_at_every_rate", same,
-              "with a fixed step the states are the same bit for bit at every frame rate");
+    std::printf("  its first oscillation goes over %.4g m, its last over %.4g m: it %s\n", at_60.first, at_60.fixed,
+                at_60.fixed < at_60.first ? "settles" : "grows");
+    out.check("same_at_every_rate", same, "with a fixed step the states are the same bit for bit at every frame rate");
     // The first swing would go from −v/ω to v/ω.
     const double first = 2 * std::fabs(landing.v) / settings.omega();
-    out.check(
-        "frame_rate_matters", at_144.variable < first && at_30.variable > first,
-        "with a step as long as the frame the oscillation shrinks at 144 frames/s and grows at 30");
+    out.check("frame_rate_matters", at_144.variable < first && at_30.variable > first,
+              "with a step as long as the frame the oscillation shrinks at 144 frames/s and grows at 30");
     if (settings.step == Settings{}.step)  // the page speaks of this step alone
         out.check("one_step_short", at_144.states.size() + 1 == at_60.states.size(),
                   "after three seconds 144 frames/s have taken one step fewer than 60");
@@ -181,8 +171,7 @@ void exact_landing(const Settings& settings, lab::Findings& out) {
     out.number("stands_at", leg - sag, "m", "height at which its hip comes to rest");
     // −ω² · (−g/ω²) − g: three roundings of g.
     const double force = std::fabs(acceleration(character(settings), -sag, 0.0));
-    out.check("equilibrium", force < 3 * 2.3e-16 * gravity,
-              "at g/omega^2 below rest length no force is left");
+    out.check("equilibrium", force < 3 * 2.3e-16 * gravity, "at g/omega^2 below rest length no force is left");
 }
 
 // What is owed and paid, in the first frames of a busy machine.
@@ -200,8 +189,7 @@ void accumulator(const Settings& settings, lab::Findings& out) {
         });
         const double drawn = interpolate(before, now, loop.alpha()).t;
         table.row({1000 * clock, 1000 * loop.time(), 1000 * drawn});
-        if (loop.steps() > 0)
-            most_off = std::max(most_off, std::fabs(clock - settings.step - drawn));
+        if (loop.steps() > 0) most_off = std::max(most_off, std::fabs(clock - settings.step - drawn));
         if (clock > 20 * settings.step) break;
     }
     // Some twenty sums of numbers below the clock's.

@@ -36,8 +36,7 @@ struct Pinball {
         x = line(x, vx);
         y = line(y, vy);
         for (const auto& [px, py] : {std::pair{-0.5, 0.5}, {0.5, 0.5}, {0.0, 1.0}}) {
-            const double dx = x - px, dy = y - py, square = dx * dx + dy * dy,
-                         inwards = dx * vx + dy * vy;
+            const double dx = x - px, dy = y - py, square = dx * dx + dy * dy, inwards = dx * vx + dy * vy;
             if (square > 0.2 * 0.2 || inwards > 0) continue;
             vx -= 2 * inwards / square * dx;
             vy -= 2 * inwards / square * dy;
@@ -67,16 +66,13 @@ std::vector<Scene> recorded(Line line, int steps) {
     return states;
 }
 
-bool same_bits(double a, double b) {
-    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
+bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
 template <class Scene>
 int first_difference(const std::vector<Scene>& here, const std::vector<Scene>& there) {
     for (std::size_t i = 0; i < here.size(); ++i) {
         const Scene &a = here[i], &b = there[i];
-        if (!same_bits(a.x, b.x) || !same_bits(a.y, b.y) || !same_bits(a.vx, b.vx) ||
-            !same_bits(a.vy, b.vy))
+        if (!same_bits(a.x, b.x) || !same_bits(a.y, b.y) || !same_bits(a.vx, b.vx) || !same_bits(a.vy, b.vy))
             return static_cast<int>(i);
     }
     return -1;
@@ -89,10 +85,8 @@ double apart(const std::vector<Scene>& here, const std::vector<Scene>& there, st
 
 void two_builds(lab::Findings& out) {
     const int steps = 15 * 60;
-    const auto ball = recorded<Pinball>(as_written, steps),
-               ball_fused = recorded<Pinball>(fused, steps);
-    const auto spring = recorded<OnSpring>(as_written, steps),
-               spring_fused = recorded<OnSpring>(fused, steps);
+    const auto ball = recorded<Pinball>(as_written, steps), ball_fused = recorded<Pinball>(fused, steps);
+    const auto spring = recorded<OnSpring>(as_written, steps), spring_fused = recorded<OnSpring>(fused, steps);
     auto& table = out.table("other_bits.tsv", {"t", "pinball", "spring"});
     double ball_most = 0, spring_most = 0;
     int seen = -1;
@@ -110,13 +104,11 @@ void two_builds(lab::Findings& out) {
         "balls are\n"
         "    1 cm apart, and up to %.1f m later on; on a spring they stay within %.0e m\n",
         first, seen * h, ball_most, spring_most);
-    out.number("bits_first", first, "",
-               "the first step whose bits differ between two builds of one program");
+    out.number("bits_first", first, "", "the first step whose bits differ between two builds of one program");
     out.number("bits_seen", seen * h, "s", "after this the balls are a centimetre apart", 2);
     out.number("bits_apart", ball_most, "m", "how far apart they are at most", 2);
     out.number("bits_spring", spring_most, "m", "and on a spring", 2);
-    out.check("builds_part", first > 0 && ball_most > 1,
-              "among pegs two builds of one program play two games");
+    out.check("builds_part", first > 0 && ball_most > 1, "among pegs two builds of one program play two games");
     out.check("spring_stays", first_difference(spring, spring_fused) > 0 && spring_most < 1e-12,
               "on a linear spring other bits stay roundoff");
 }
@@ -138,8 +130,7 @@ void far_away(lab::Findings& out) {
         float x = start;
         for (int i = 0; i < 600; ++i) x += step * 1.0f;
         const double speed = (double(x) - start) / 10;
-        table.row(
-            {km, rounded(1000 * (double(std::nextafter(start, 1e9f)) - start)), rounded(speed)});
+        table.row({km, rounded(1000 * (double(std::nextafter(start, 1e9f)) - start)), rounded(speed)});
         if (km == 300) at_300 = speed;
         if (km == 600) at_600 = speed;
     }
@@ -155,11 +146,9 @@ void far_away(lab::Findings& out) {
         "  who walks at 1 m/s goes at %.3f m/s 300 km from the origin, at %.3f beyond 600; in "
         "cells %.4f\n",
         at_300, at_600, in_cells);
-    out.number("walk_300", at_300, "m/s",
-               "speed of a walk at 1 m/s in float, 300 km from the origin", 4);
+    out.number("walk_300", at_300, "m/s", "speed of a walk at 1 m/s in float, 300 km from the origin", 4);
     out.check("walk_stops", at_600 == 0, "at 600 km a float stands still");
-    out.check("walk_in_cells", std::fabs(in_cells - 1) < 1e-4,
-              "in cells of a kilometre it goes on at its speed");
+    out.check("walk_in_cells", std::fabs(in_cells - 1) < 1e-4, "in cells of a kilometre it goes on at its speed");
 }
 
 }  // namespace

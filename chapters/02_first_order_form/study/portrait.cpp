@@ -30,8 +30,7 @@ int lag_of_velocity(const std::vector<double>& x, const std::vector<double>& v) 
     return best;
 }
 
-void oscillation(const Spring<double>& spring, const State<double>& start, double period,
-                 lab::Findings& out) {
+void oscillation(const Spring<double>& spring, const State<double>& start, double period, lab::Findings& out) {
     auto& table = out.table("oscillation.tsv", {"t", "x", "v_over_omega"});
     for (int i = 0; i <= 2 * samples; i += 4) {
         const State s = spring.exact(start, period * i / samples);
@@ -61,8 +60,7 @@ double signed_area(const Spring<double>& spring, const State<double>& start, dou
     return twice / 2;
 }
 
-void circle(const Spring<double>& spring, const State<double>& start, double period,
-            lab::Findings& out) {
+void circle(const Spring<double>& spring, const State<double>& start, double period, lab::Findings& out) {
     auto& table = out.table("portrait.tsv", {"t", "x", "v_over_omega"});
     for (int i = 0; i <= samples; i += 4) {
         const State s = spring.exact(start, period * i / samples);
@@ -85,13 +83,11 @@ void circle(const Spring<double>& spring, const State<double>& start, double per
     out.number("portrait_missed", missed, "m", "distance from the start after one period", 2);
     out.check("clockwise", area < 0, "the state goes clockwise");
     // ωt = 2π is rounded by 2π ε/2 and sine and cosine by ε, all times the amplitude.
-    out.check("closed", missed < 8 * 2.3e-16 * start.x,
-              "after one period the state is back at its start");
+    out.check("closed", missed < 8 * 2.3e-16 * start.x, "after one period the state is back at its start");
 }
 
 // The film: a strip of the last one and a half swings beside the portrait, one swing long.
-void film(const Spring<double>& spring, const State<double>& start, double period,
-          lab::Findings& out) {
+void film(const Spring<double>& spring, const State<double>& start, double period, lab::Findings& out) {
     auto& table = out.table("portrait_film.tsv", {"t", "x", "v_over_omega"});
     for (int i = -3 * frames / 2; i <= frames; ++i) {
         const State s = spring.exact(start, period * i / frames);

@@ -43,9 +43,7 @@ struct Settings {
 
 /// [scenes]
 // x is the height of the hip above its place at rest length.
-inline auto character(const Settings& settings) {
-    return Scene{settings.legs(), Projectile{-gravity}};
-}
+inline auto character(const Settings& settings) { return Scene{settings.legs(), Projectile{-gravity}}; }
 
 inline auto grenade(const Settings& settings) {
     const double v = settings.terminal_speed;
@@ -67,4 +65,4 @@ void arrays(const Settings&, lab::Findings&);         // several bodies, one sol
 void hard_problems(const Settings&, lab::Findings&);  // drag, and a tether in space
 void game_loop(const Settings&, lab::Findings&);      // frames and steps
 void break_it(const Settings&, lab::Findings&);       // what goes wrong, on purpose
-void other_bits(const Settings&, lab::Findings&);  // the same program, other bits; places far away
+void other_bits(const Settings&, lab::Findings&);     // the same program, other bits; places far away

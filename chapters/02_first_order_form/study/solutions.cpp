@@ -15,8 +15,7 @@ namespace {
 
 // Steps ẋ = f(t, x) with RK4 from x(0) and compares each state with the answer. Is it close enough?
 template <class System, class Exact>
-bool solve(const char* name, const char* equation, const System& f, double x0, const Exact& exact,
-           lab::Findings& out) {
+bool solve(const char* name, const char* equation, const System& f, double x0, const Exact& exact, lab::Findings& out) {
     auto& curve = out.table(std::string("solution_") + name + ".tsv", {"t", "x"});
     for (int i = 0; i <= 100; ++i) curve.row({0.04 * i, exact(0.04 * i)});
 
@@ -86,9 +85,7 @@ void projectile(lab::Findings& out) {
 // The frequency depends on k/m alone.
 void spring_parameters(const Settings& settings, lab::Findings& out) {
     const double m = settings.mass, k = settings.stiffness;
-    const auto omega = [](double k, double m) {
-        return Spring<double>::from_stiffness(k, m).omega;
-    };
+    const auto omega = [](double k, double m) { return Spring<double>::from_stiffness(k, m).omega; };
     std::printf(
         "  x'' = -omega^2 x  %g kg on %g N/m: omega = %.4g rad/s,\n"
         "                    the period is %.3f s\n",

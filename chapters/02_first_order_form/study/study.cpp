@@ -23,16 +23,13 @@ void within(const char* name, double value, double least, double most) {
 
 int main(int argc, char** argv) {
     Settings settings;
-    lab::Program program("first_order_form",
-                         "springs, shells and characters in one solver, one loop");
+    lab::Program program("first_order_form", "springs, shells and characters in one solver, one loop");
     program.option("--mass", settings.mass, masses, "the character's mass, kg");
     program.option("--stiffness", settings.stiffness, stiffnesses, "of its legs, N/m");
     program.option("--damping", settings.damping, dampings, "of its legs, N s/m");
-    program.option("--terminal-speed", settings.terminal_speed, speeds,
-                   "of the grenade in a long fall, m/s");
+    program.option("--terminal-speed", settings.terminal_speed, speeds, "of the grenade in a long fall, m/s");
     program.option("--step", settings.step, steps, "the game loop's fixed step, s");
-    program.option("--method", settings.method,
-                   {"explicit_euler", "semi_implicit_euler", "runge_kutta_4"},
+    program.option("--method", settings.method, {"explicit_euler", "semi_implicit_euler", "runge_kutta_4"},
                    "the solver in the game loop");
     return program.run(argc, argv, [&](lab::Findings& out) {
         within("omega = sqrt(stiffness / mass)", settings.omega(), 0.5, 100);

@@ -19,8 +19,7 @@ double length(double x, double y) {
 
 // One method's run: a state, where it has been, and the corners of a cloud of states around it.
 struct Run {
-    Run(live::Panel* panel, const char* name)
-        : name(name), number{panel, name}, holds{panel, name} {}
+    Run(live::Panel* panel, const char* name) : name(name), number{panel, name}, holds{panel, name} {}
 
     void begin(const State<double>& start) {
         state = start;
@@ -28,8 +27,7 @@ struct Run {
         double c = 0.3, s = 0;
         for (State<double>& corner : cloud) {
             corner = {0, start.x + c, start.v + s};
-            const double turned =
-                0.96592582628906831 * c - 0.25881904510252074 * s;  // by a 24th of a turn
+            const double turned = 0.96592582628906831 * c - 0.25881904510252074 * s;  // by a 24th of a turn
             s = 0.25881904510252074 * c + 0.96592582628906831 * s, c = turned;
         }
     }
@@ -91,8 +89,7 @@ public:
         p.ink(semi_implicit_euler.name);
         if (h >= 2 && runs[2].amplitude() > 40)
             p.text(-2.9, 1.7,
-                   h > 2 ? "semi-implicit Euler has left the picture"
-                         : "semi-implicit Euler grows, at its limit");
+                   h > 2 ? "semi-implicit Euler has left the picture" : "semi-implicit Euler grows, at its limit");
         p.ink("ink", 2);
         p.dot(x, v, 4);
     }
@@ -117,8 +114,7 @@ private:
         if (cloud) {
             p.ink(run.name, 2, 0.5);
             for (const State<double>& corner : run.cloud)
-                &corner == run.cloud.data() ? p.move(corner.x, corner.v)
-                                            : p.line(corner.x, corner.v);
+                &corner == run.cloud.data() ? p.move(corner.x, corner.v) : p.line(corner.x, corner.v);
             p.fill();
         }
         p.ink(run.name, 2);

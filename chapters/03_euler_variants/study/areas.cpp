@@ -48,8 +48,7 @@ void follow(const Method& method, const Settings& settings, lab::Findings& out) 
             for (auto& s : cloud) s = method.step(spring, s, settings.step);
     }
     const double ratio = area(cloud) / before, predicted = std::pow(determinant, steps);
-    std::printf("  %-20s det A = %.6g: after %d steps the area is x %.5g\n", Method::name,
-                determinant, steps, ratio);
+    std::printf("  %-20s det A = %.6g: after %d steps the area is x %.5g\n", Method::name, determinant, steps, ratio);
     const std::string id = lab::id(Method::name);
     out.number(id + "_area", ratio, "", "area of the cloud after the steps, over the area before");
     out.number(id + "_area_steps", steps, "", "steps of the cloud");
@@ -58,8 +57,7 @@ void follow(const Method& method, const Settings& settings, lab::Findings& out) 
     double products = 0;
     for (const auto& s : cloud) products = std::max(products, std::fabs(s.x * s.v));
     const double lost = 90 * 8 * 2.2e-16 * products / before / predicted;
-    if (lost > 0.01)
-        std::printf("  %-20s (lost in roundoff: the cloud is too long and thin)\n", "");
+    if (lost > 0.01) std::printf("  %-20s (lost in roundoff: the cloud is too long and thin)\n", "");
     out.check(id + "_area", std::fabs(ratio / predicted - 1) < 1e-10 + lost,
               std::string(Method::name) + " multiplies areas by the determinant of its matrix");
 }

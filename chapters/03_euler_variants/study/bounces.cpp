@@ -86,8 +86,7 @@ template <class Method>
 double order(const Method& method, bool bounce, lab::Findings& out) {
     const double seconds = bounce ? after_landing : in_the_air;
     auto& table =
-        out.table(std::string(bounce ? "bounce_" : "fall_") + lab::id(method.name) + ".tsv",
-                  {"step", "error"});
+        out.table(std::string(bounce ? "bounce_" : "fall_") + lab::id(method.name) + ".tsv", {"step", "error"});
     std::vector<double> h, mean;
     for (long steps = bounce ? 32 : 16; steps <= (bounce ? 2048 : 256); steps *= 2) {
         h.push_back(seconds / steps), mean.push_back(mean_error(method, seconds, steps));
@@ -100,15 +99,13 @@ template <class Method>
 double compare(const Method& method, lab::Findings& out) {
     const double fall = order(method, false, out), bounce = order(method, true, out);
     const double at_60 = mean_error(method, after_landing, std::lround(60 * after_landing));
-    std::printf("  %-20s order %5.2f falling, %5.2f bounced; at 60 Hz %.1f mm off\n", Method::name,
-                fall, bounce, 1000 * at_60);
+    std::printf("  %-20s order %5.2f falling, %5.2f bounced; at 60 Hz %.1f mm off\n", Method::name, fall, bounce,
+                1000 * at_60);
     const std::string id = lab::id(method.name);
     out.number("fall_order_" + id, fall, "", "measured order without a bounce");
     out.number("bounce_order_" + id, bounce, "", "measured order with a bounce");
-    out.check("bounce_order_" + id,
-              std::fabs(fall - Method::order) < 0.1 && std::fabs(bounce - 1) < 0.1,
-              std::string(method.name) +
-                  " has its order while the ball falls, and order one once it has bounced");
+    out.check("bounce_order_" + id, std::fabs(fall - Method::order) < 0.1 && std::fabs(bounce - 1) < 0.1,
+              std::string(method.name) + " has its order while the ball falls, and order one once it has bounced");
     return at_60;
 }
 
@@ -148,8 +145,7 @@ Late turned_late(const Method& method) {
         const double landing = true_landing(state.x);
         while (state.x >= 0) state = method.step(ball, state, 1.0 / 60);
         const double by = state.t - landing;
-        late.least = std::min(late.least, by), late.most = std::max(late.most, by),
-        late.mean += by / drops;
+        late.least = std::min(late.least, by), late.most = std::max(late.most, by), late.mean += by / drops;
     }
     return late;
 }
@@ -174,26 +170,20 @@ void bounces(const Settings&, lab::Findings& out) {
     const double sooner = 0.6;
     const double cheap_sooner = mean_error(semi_implicit_euler, sooner, std::lround(60 * sooner));
     const double dear_sooner = mean_error(runge_kutta_4, sooner, std::lround(60 * sooner));
-    std::printf(
-        "  at 60 Hz, %g s after the drop: semi-implicit %.1f mm off, Runge-Kutta 4 %.1f mm\n",
-        sooner, 1000 * cheap_sooner, 1000 * dear_sooner);
+    std::printf("  at 60 Hz, %g s after the drop: semi-implicit %.1f mm off, Runge-Kutta 4 %.1f mm\n", sooner,
+                1000 * cheap_sooner, 1000 * dear_sooner);
     out.number("bounce_sooner", sooner, "s", "an earlier moment");
-    out.number("bounce_sooner_semi", 1000 * cheap_sooner, "mm", "mean error at the earlier moment",
-               2);
-    out.number("bounce_sooner_rk4", 1000 * dear_sooner, "mm", "mean error at the earlier moment",
-               2);
-    const Late cheap_late = turned_late(semi_implicit_euler),
-               dear_late = turned_late(runge_kutta_4);
+    out.number("bounce_sooner_semi", 1000 * cheap_sooner, "mm", "mean error at the earlier moment", 2);
+    out.number("bounce_sooner_rk4", 1000 * dear_sooner, "mm", "mean error at the earlier moment", 2);
+    const Late cheap_late = turned_late(semi_implicit_euler), dear_late = turned_late(runge_kutta_4);
     std::printf(
         "  turned round late by %.1f to %.1f ms, on the mean %.1f: semi-implicit; by %.1f to %.1f, "
         "%.1f: RK4\n",
-        1000 * cheap_late.least, 1000 * cheap_late.most, 1000 * cheap_late.mean,
-        1000 * dear_late.least, 1000 * dear_late.most, 1000 * dear_late.mean);
-    out.number("bounce_early_semi", -1000 * cheap_late.least, "ms",
-               "by how much it turns too early, at the most", 2);
+        1000 * cheap_late.least, 1000 * cheap_late.most, 1000 * cheap_late.mean, 1000 * dear_late.least,
+        1000 * dear_late.most, 1000 * dear_late.mean);
+    out.number("bounce_early_semi", -1000 * cheap_late.least, "ms", "by how much it turns too early, at the most", 2);
     out.number("bounce_late_semi", 1000 * cheap_late.most, "ms", "and too late", 2);
-    out.number("bounce_late_rk4", 1000 * dear_late.mean, "ms",
-               "by how much RK4's ball turns too late, on the mean", 2);
+    out.number("bounce_late_rk4", 1000 * dear_late.mean, "ms", "by how much RK4's ball turns too late, on the mean", 2);
     out.check("bounce_turned",
               dear_late.least > 0 && cheap_late.least < -1e-3 && cheap_late.most > 1e-3 &&
                   std::fabs(cheap_late.mean) < dear_late.mean / 2,

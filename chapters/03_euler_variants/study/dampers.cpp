@@ -51,10 +51,8 @@ void one_way(const Masses& all, Numbers& u) {
     for (const Pull& damper : all.dampers) divide(damper, all.h, u);
 }
 void there_and_back(const Masses& all, Numbers& u) {
-    for (auto damper = all.dampers.begin(); damper != all.dampers.end(); ++damper)
-        divide_by_root(*damper, all.h, u);
-    for (auto damper = all.dampers.rbegin(); damper != all.dampers.rend(); ++damper)
-        divide_by_root(*damper, all.h, u);
+    for (auto damper = all.dampers.begin(); damper != all.dampers.end(); ++damper) divide_by_root(*damper, all.h, u);
+    for (auto damper = all.dampers.rbegin(); damper != all.dampers.rend(); ++damper) divide_by_root(*damper, all.h, u);
 }
 // (1 + h Σ c g gᵀ) u₂ = u₁, by Gauss's elimination: the matrix is symmetric and positive, so it
 // needs no pivot.
@@ -63,8 +61,7 @@ void one_matrix(const Masses& all, Numbers& u) {
     std::vector<Numbers> a(n, Numbers(n));
     for (std::size_t i = 0; i < n; ++i) {
         a[i][i] = 1;
-        for (const Pull& damper : all.dampers)
-            add(a[i], all.h * damper.strength * damper.g[i], damper.g);
+        for (const Pull& damper : all.dampers) add(a[i], all.h * damper.strength * damper.g[i], damper.g);
     }
     for (std::size_t k = 0; k < n; ++k)
         for (std::size_t i = k + 1; i < n; ++i) {
@@ -86,14 +83,12 @@ Numbers energies(const Masses& all, Damp damp, Numbers y, long steps) {
     Numbers u(y.size()), result;
     const auto energy = [&] {
         double twice = product(u, u);
-        for (const Pull& spring : all.springs)
-            twice += spring.strength * std::pow(product(spring.g, y), 2);
+        for (const Pull& spring : all.springs) twice += spring.strength * std::pow(product(spring.g, y), 2);
         return twice / 2;
     };
     const double first = energy();
     for (long n = 0; n < steps; ++n) {
-        for (const Pull& spring : all.springs)
-            add(u, -all.h * spring.strength * product(spring.g, y), spring.g);
+        for (const Pull& spring : all.springs) add(u, -all.h * spring.strength * product(spring.g, y), spring.g);
         damp(all, u);
         add(y, all.h, u);
         result.push_back(energy() / first);
@@ -137,14 +132,13 @@ void dampers(const Settings&, lab::Findings& out) {
     const double along = std::cos(degrees * pi / 180);
     const DampedSpring exact(omega, 2 * c * along * along / (2 * omega));
     const State start{0, 1.0, 0.0};
-    auto& table =
-        out.table("dampers.tsv", {"t", "exact", "one_way", "there_and_back", "one_matrix"});
+    auto& table = out.table("dampers.tsv", {"t", "exact", "one_way", "there_and_back", "one_matrix"});
     table.row({0.0, 1.0, 1.0, 1.0, 1.0});
     for (long n = 0; n < second; ++n) {
         const double t = double(n + 1) / hertz;
         const State s = exact.exact(start, t);
-        table.row({t, Spring(omega).energy(s) / Spring(omega).energy(start), once[std::size_t(n)],
-                   back[std::size_t(n)], matrix[std::size_t(n)]});
+        table.row({t, Spring(omega).energy(s) / Spring(omega).energy(start), once[std::size_t(n)], back[std::size_t(n)],
+                   matrix[std::size_t(n)]});
     }
     std::printf(
         "  1 kg, omega h = 1, two dampers of %g N s/m at +-%g degrees, after 1 s: energy times "
@@ -153,14 +147,11 @@ void dampers(const Settings&, lab::Findings& out) {
         c, degrees, once.back(), back.back(), matrix.back());
     out.number("dampers_degrees", degrees, "°", "two dampers at this angle to the spring");
     out.number("dampers_c", c, "N s/m", "each of them");
-    out.number("dampers_once", once.back(), "",
-               "energy after 1 s over that of the start, one after another", 2);
+    out.number("dampers_once", once.back(), "", "energy after 1 s over that of the start, one after another", 2);
     out.check("dampers_one_way_grows", once.back() > 50,
               "two hard dampers at 20 degrees to a spring with omega h = 1, one after another, "
               "multiply its energy by over 50 in 1 s");
-    const auto falls = [](const Numbers& e) {
-        return *std::max_element(e.begin(), e.end()) < 1 && e.back() < 1e-4;
-    };
+    const auto falls = [](const Numbers& e) { return *std::max_element(e.begin(), e.end()) < 1 && e.back() < 1e-4; };
     out.check("dampers_cured", falls(back) && falls(matrix),
               "the same two dampers there and back, or in one matrix, leave less than a "
               "ten-thousandth of the energy after 1 s, "
@@ -175,8 +166,7 @@ void dampers(const Settings&, lab::Findings& out) {
     }
     std::printf("  at +-10 degrees one way grows from zeta = %.3f of each damper\n", low);
     out.number("dampers_onset", low, "",
-               "the damping ratio of each from which two dampers at 10 degrees blow up, one way",
-               2);
+               "the damping ratio of each from which two dampers at 10 degrees blow up, one way", 2);
     out.check("dampers_onset", low > 1.05 && low < 1.08,
               "two dampers at 10 degrees to a spring with omega h = 1, one after another, grow "
               "from a zeta of 1.05 to 1.08 each");

@@ -33,8 +33,8 @@ double measured_growth(const Method& method, const Spring<double>& spring, doubl
 template <class Method, class Formula>
 double path(const Method& method, const Formula& formula, lab::Findings& out) {
     const Spring spring(1.0);
-    auto& table = out.table("eigenvalues_" + lab::id(Method::name) + ".tsv",
-                            {"wh", "re1", "im1", "re2", "im2", "radius"});
+    auto& table =
+        out.table("eigenvalues_" + lab::id(Method::name) + ".tsv", {"wh", "re1", "im1", "re2", "im2", "radius"});
     auto& points = out.table("growth_" + lab::id(Method::name) + ".tsv", {"wh", "growth"});
     double worst = 0;
     for (int i = 0; i <= 120; ++i) {
@@ -48,8 +48,7 @@ double path(const Method& method, const Formula& formula, lab::Findings& out) {
             worst = std::max(worst, std::fabs(growth / formula(wh) - 1));
         }
     }
-    std::printf("  %-20s growth a step, measured against the formula: within %.1e\n", Method::name,
-                worst);
+    std::printf("  %-20s growth a step, measured against the formula: within %.1e\n", Method::name, worst);
     return worst;
 }
 
@@ -79,8 +78,7 @@ void eigenvalue_paths(const Settings&, lab::Findings& out) {
     };
     const double limit = largest_stable_step(stable, 10.0);
     std::printf("  semi-implicit Euler stops being stable at omega h = %.9f\n", limit);
-    out.number("semi_implicit_limit", limit, "", "largest stable omega h of semi-implicit Euler",
-               7);
+    out.number("semi_implicit_limit", limit, "", "largest stable omega h of semi-implicit Euler", 7);
     out.check("semi_implicit_limit_is_2", std::fabs(limit - 2) < 1e-6,
               "semi-implicit Euler is stable up to omega h = 2");
 }

@@ -56,12 +56,10 @@ void pendulums(lab::Findings& out) {
     bool over = false;
     for (long i = 1; i <= starts; ++i) {
         const Swung one = swung(near_top * double(i) / starts, calm, calm_steps);
-        least = std::min(least, one.least), most = std::max(most, one.most),
-        over = over || one.over >= 0;
+        least = std::min(least, one.least), most = std::max(most, one.most), over = over || one.over >= 0;
     }
     // With longer steps those let go from higher up go over the top.
-    auto& table = out.table("pendulums.tsv",
-                            {"ωh", "go over the top", "the lowest of them, let go at (rad)"});
+    auto& table = out.table("pendulums.tsv", {"ωh", "go over the top", "the lowest of them, let go at (rad)"});
     double most_wild = 0, lowest_wild = 0;
     std::vector<long> counts;
     for (const double wh : {1.0, 0.9, 0.8, 0.7, 0.6, 0.5}) {
@@ -90,21 +88,19 @@ void pendulums(lab::Findings& out) {
     out.number("pendulum_calm_steps", double(calm_steps), "", "steps of each");
     out.number("pendulum_wild", wild, "", "omega h at which some go over the top");
     out.number("pendulum_wild_steps", double(wild_steps), "", "steps of it");
-    out.number("pendulum_wild_count", double(counts.front()), "",
-               "how many go over the top at omega h = 1");
+    out.number("pendulum_wild_count", double(counts.front()), "", "how many go over the top at omega h = 1");
     out.number("pendulum_wild_lowest", lowest_wild, "rad", "the lowest start of those", 2);
-    out.number("pendulum_wild_most", most_wild, "", "the greatest energy of any, over its first",
-               2);
+    out.number("pendulum_wild_most", most_wild, "", "the greatest energy of any, over its first", 2);
     out.check("pendulum_band", !over && least > 1 / (1 + calm / 2) && most < 1 / (1 - calm / 2),
               "at omega h = 0.5, 31 pendulums let go from 0.1 to 3.1 rad keep their energy within "
               "the spring's band for "
               "100,000 steps, and none goes over the top");
-    out.check("pendulum_over",
-              counts.front() > 1 && std::is_sorted(counts.rbegin(), counts.rend()) &&
-                  counts.back() == 0 && most_wild > 2,
-              "at omega h = 1 several of them go over the top, and the energy of one is at some "
-              "time over twice that of the start; "
-              "fewer do at 0.9, 0.8, 0.7, 0.6, and at 0.5 none");
+    out.check(
+        "pendulum_over",
+        counts.front() > 1 && std::is_sorted(counts.rbegin(), counts.rend()) && counts.back() == 0 && most_wild > 2,
+        "at omega h = 1 several of them go over the top, and the energy of one is at some "
+        "time over twice that of the start; "
+        "fewer do at 0.9, 0.8, 0.7, 0.6, and at 0.5 none");
 }
 
 }  // namespace
@@ -121,9 +117,7 @@ void energies(const Settings& settings, lab::Findings& out) {
 
     const Spring spring(settings.omega);
     const double h = settings.step, w2 = settings.omega * settings.omega;
-    const auto kept = [&](const State<double>& s) {
-        return spring.energy(s) - h * w2 * s.x * s.v / 2;
-    };
+    const auto kept = [&](const State<double>& s) { return spring.energy(s) - h * w2 * s.x * s.v / 2; };
     const State start{0, 1.0, 0.0};
     double least = 1, most = 1, sum = 0, drift = 0;
     const long steps = 1000000;
@@ -139,8 +133,7 @@ void energies(const Settings& settings, lab::Findings& out) {
     // The same from a start that moves: here the kept energy is not the true one.
     const State moving{0, 1.0, settings.omega};
     double moving_sum = 0;
-    run(semi_implicit_euler, spring, moving, h, steps,
-        [&](const auto& s) { moving_sum += spring.energy(s); });
+    run(semi_implicit_euler, spring, moving, h, steps, [&](const auto& s) { moving_sum += spring.energy(s); });
     const double moving_mean = moving_sum / (steps + 1) / (kept(moving) * predicted);
 
     out.section("Energy");
@@ -150,24 +143,19 @@ void energies(const Settings& settings, lab::Findings& out) {
             "  mean %.5f (predicted %.5f); the energy it keeps drifts by %.1e\n",
             steps, least, most, mean, predicted, drift);
     else
-        std::printf(
-            "  semi-implicit Euler grows without bound at omega h = %g: its energy has no mean\n",
-            wh);
+        std::printf("  semi-implicit Euler grows without bound at omega h = %g: its energy has no mean\n", wh);
     out.number("energy_least", 100 * least, "%", "least energy of semi-implicit Euler");
     out.number("energy_most", 100 * most, "%", "greatest energy of semi-implicit Euler");
     out.number("energy_mean", 100 * mean, "%", "mean energy of semi-implicit Euler", 4);
-    out.number("energy_drift", drift, "",
-               "relative drift of the energy that semi-implicit Euler keeps", 2);
+    out.number("energy_drift", drift, "", "relative drift of the energy that semi-implicit Euler keeps", 2);
     out.number("energy_steps", double(steps), "", "steps of the long run");
     // On the ellipse the true energy is between 1/(1 + ωh/2) and 1/(1 − ωh/2) of the kept one. An
     // average over n steps is off by at most one swing of the band, over n.
-    out.check("energy_band",
-              wh < 2 && least > (1 - 1e-9) / (1 + wh / 2) && most < (1 + 1e-9) / (1 - wh / 2),
+    out.check("energy_band", wh < 2 && least > (1 - 1e-9) / (1 + wh / 2) && most < (1 + 1e-9) / (1 - wh / 2),
               "the energy of semi-implicit Euler stays in the band 1/(1 ± omega h/2)");
-    out.check(
-        "energy_mean",
-        wh < 2 && std::fabs(mean - predicted) < 20 / (1 - wh / 2) / wh / steps + 1e-9 &&
-            std::fabs(moving_mean - 1) < 40 / (1 - wh / 2) / (1 - wh / 2) / wh / steps + 1e-9,
-        "the mean energy of semi-implicit Euler is its modified energy over 1 - (omega h)^2/4");
+    out.check("energy_mean",
+              wh < 2 && std::fabs(mean - predicted) < 20 / (1 - wh / 2) / wh / steps + 1e-9 &&
+                  std::fabs(moving_mean - 1) < 40 / (1 - wh / 2) / (1 - wh / 2) / wh / steps + 1e-9,
+              "the mean energy of semi-implicit Euler is its modified energy over 1 - (omega h)^2/4");
     pendulums(out);
 }

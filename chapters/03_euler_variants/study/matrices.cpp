@@ -28,8 +28,7 @@ void square(const Method& method, lab::Findings& out) {
     for (const auto& [x, v] : corners) table.row({a.xx * x + a.xv * v, a.vx * x + a.vv * v});
     out.number("square_" + lab::id(Method::name), a.determinant(), "",
                "area of the unit square after a step of 0.5 rad", 3);
-    std::printf("  %-20s makes an area of %.4g of the unit square\n", Method::name,
-                a.determinant());
+    std::printf("  %-20s makes an area of %.4g of the unit square\n", Method::name, a.determinant());
 }
 
 // Is each step of `method` a product with `factor`? The state is x + i v/ω. Leaves the run as it
@@ -60,25 +59,20 @@ void matrices(const Settings&, lab::Findings& out) {
     square(semi_implicit_euler, out);
 
     const Complex one_step(1, -wh);
-    out.number("stretch", std::abs(one_step), "",
-               "what a step of explicit Euler of 0.5 rad multiplies lengths by");
+    out.number("stretch", std::abs(one_step), "", "what a step of explicit Euler of 0.5 rad multiplies lengths by");
     out.number("turn", -std::arg(one_step) * 180 / pi, "°", "how far it turns", 3);
     out.number("true_turn", wh * 180 / pi, "°", "how far the true motion turns", 3);
-    out.number("stretch_later", std::pow(std::abs(one_step), steps), "",
-               "the same after nine steps");
+    out.number("stretch_later", std::pow(std::abs(one_step), steps), "", "the same after nine steps");
     const bool both = multiplies_by(explicit_euler, one_step, out) &&
                       multiplies_by(implicit_euler, 1.0 / (1.0 + Complex(0, wh)), out);
-    out.check(
-        "steps_are_products", both,
-        "explicit Euler multiplies x + i v/ω by 1 − iωh, and implicit Euler divides it by 1 + iωh");
+    out.check("steps_are_products", both,
+              "explicit Euler multiplies x + i v/ω by 1 − iωh, and implicit Euler divides it by 1 + iωh");
     auto& exact = out.table("powers_exact.tsv", {"x", "v_over_omega"});
     for (int n = 0; n <= steps; ++n) exact.row({std::cos(n * wh), -std::sin(n * wh)});
 
     const int parts = 1000;
-    const double missing =
-        std::abs(std::pow(1.0 + Complex(0, -wh) / double(parts), parts) - std::polar(1.0, -wh));
-    out.number("parts_miss", missing, "",
-               "how far a thousand parts of a step are from a turn by 0.5 rad", 2);
+    const double missing = std::abs(std::pow(1.0 + Complex(0, -wh) / double(parts), parts) - std::polar(1.0, -wh));
+    out.number("parts_miss", missing, "", "how far a thousand parts of a step are from a turn by 0.5 rad", 2);
     out.check("many_parts_turn", missing < 1e-3,
               "a thousand small steps of explicit Euler turn by ωh and hardly stretch");
 }

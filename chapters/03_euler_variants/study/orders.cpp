@@ -23,8 +23,7 @@ double distance(const State<double>& a, const State<double>& b, double omega) {
 
 // The error at the end of the run.
 template <class Method>
-double global_error(const Method& method, const Spring<double>& spring, double seconds,
-                    long steps) {
+double global_error(const Method& method, const Spring<double>& spring, double seconds, long steps) {
     const State end = run(method, spring, start, seconds / steps, steps);
     return distance(end, spring.exact(start, seconds), spring.omega);
 }
@@ -34,8 +33,7 @@ template <class Method>
 double local_error(const Method& method, const Spring<double>& spring, double h) {
     const State exact = spring.exact(start, h);
     if constexpr (TwoStepMethod<Method, Spring<double>, State<double>>)
-        return distance(method.step(spring, spring.exact(start, -h), start, h), exact,
-                        spring.omega);
+        return distance(method.step(spring, spring.exact(start, -h), start, h), exact, spring.omega);
     else
         return distance(method.step(spring, start, h), exact, spring.omega);
 }
@@ -68,15 +66,13 @@ void orders(const Settings& settings, lab::Findings& out) {
     const double radians = 2, seconds = radians / settings.omega;
     std::printf("  %-20s %14s %14s\n", "", "a step", "the whole run");
 
-    auto& summary =
-        out.table("methods.tsv", {"method", "largest stable ωh", "declared order", "measured order",
-                                  "order of one step", "evaluations", "solves"});
+    auto& summary = out.table("methods.tsv", {"method", "largest stable ωh", "declared order", "measured order",
+                                              "order of one step", "evaluations", "solves"});
     bool all_right = true;          // every method, its order in a run and in a step
     bool solving_is_stable = true;  // every method that solves, at every step that was tried
     for_each_method([&](const auto& method) {
         const std::string id = lab::id(method.name);
-        auto& table =
-            out.table("orders_" + id + ".tsv", {"steps_per_period", "step", "local", "global"});
+        auto& table = out.table("orders_" + id + ".tsv", {"steps_per_period", "step", "local", "global"});
         std::vector<double> h, local, global;
         for (int i = 0; i <= 12; ++i) {
             const long steps = std::lround(20 * std::pow(2.0, i / 2.0));
@@ -90,12 +86,9 @@ void orders(const Settings& settings, lab::Findings& out) {
         const double one = measured_order(h, local), whole = measured_order(h, global);
         std::printf("  %-20s %14.2f %14.2f\n", method.name, one, whole);
         out.number("order_" + id, whole, "", "measured order over the whole run");
-        all_right = all_right && std::fabs(whole - method.order) < 0.1 &&
-                    std::fabs(one - method.order - 1) < 0.1;
-        out.check("order_" + id,
-                  std::fabs(whole - method.order) < 0.1 && std::fabs(one - method.order - 1) < 0.1,
-                  std::string(method.name) +
-                      " has the order it declares, and one more for a single step");
+        all_right = all_right && std::fabs(whole - method.order) < 0.1 && std::fabs(one - method.order - 1) < 0.1;
+        out.check("order_" + id, std::fabs(whole - method.order) < 0.1 && std::fabs(one - method.order - 1) < 0.1,
+                  std::string(method.name) + " has the order it declares, and one more for a single step");
 
         const double longest = longest_step(method);
         if (method.order == 4) {
@@ -105,20 +98,16 @@ void orders(const Settings& settings, lab::Findings& out) {
         }
         char text[24];
         std::snprintf(text, sizeof text, "%.3g", longest);
-        const std::string limit = longest > 1e5    ? "no limit"
-                                  : longest < 0.01 ? "0, always grows"
-                                                   : text;
+        const std::string limit = longest > 1e5 ? "no limit" : longest < 0.01 ? "0, always grows" : text;
         char whole_text[16], one_text[16];
         std::snprintf(whole_text, sizeof whole_text, "%.2f", whole);
         std::snprintf(one_text, sizeof one_text, "%.2f", one);
         if (method.cost.solves > 0 && !(longest > 1e5)) solving_is_stable = false;
         summary.row({std::string(method.name), limit, double(method.order), std::string(whole_text),
-                     std::string(one_text), double(method.cost.evaluations),
-                     double(method.cost.solves)});
+                     std::string(one_text), double(method.cost.evaluations), double(method.cost.solves)});
     });
-    out.check(
-        "all_orders", all_right,
-        "each of the eight methods has the order it declares, and one more for a single step");
+    out.check("all_orders", all_right,
+              "each of the eight methods has the order it declares, and one more for a single step");
     out.check("implicit_no_limit", solving_is_stable,
               "implicit Euler, implicit midpoint and BDF2 do not grow on a spring, at any omega h "
               "up to 1e5");

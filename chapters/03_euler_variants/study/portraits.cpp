@@ -41,16 +41,13 @@ Portrait portrait(const Method& method, const Settings& settings, lab::Findings&
     });
     result.growth = std::pow(reached, 1.0 / static_cast<double>(std::max(steps, 1L)));
     if (settings.wants(Method::name) && !is_finite(end))
-        std::printf("  %-20s has left the range of numbers, after %ld steps or more\n",
-                    Method::name, steps);
+        std::printf("  %-20s has left the range of numbers, after %ld steps or more\n", Method::name, steps);
     else if (settings.wants(Method::name))
-        std::printf("  %-20s ends at x = %10.4g m, v = %10.4g m/s, amplitude %.4g m\n",
-                    Method::name, end.x, end.v, amplitude(end, settings.omega));
-    out.number(id + "_amplitude", amplitude(end, settings.omega), "m",
-               "amplitude at the end of the run");
+        std::printf("  %-20s ends at x = %10.4g m, v = %10.4g m/s, amplitude %.4g m\n", Method::name, end.x, end.v,
+                    amplitude(end, settings.omega));
+    out.number(id + "_amplitude", amplitude(end, settings.omega), "m", "amplitude at the end of the run");
     out.number(id + "_growth", result.growth, "", "amplitude times this a step", 5);
-    out.number(id + "_per_second", std::pow(result.growth, 1 / settings.step), "",
-               "amplitude times this a second");
+    out.number(id + "_per_second", std::pow(result.growth, 1 / settings.step), "", "amplitude times this a second");
     return result;
 }
 
@@ -65,17 +62,14 @@ void smaller_steps(const Settings& settings, lab::Findings& out) {
     for (const long divisor : {1, 2, 4, 8}) {
         const long steps = divisor * std::max(1L, std::lround(seconds / settings.step));
         auto& table = out.table("smaller_" + std::to_string(divisor) + ".tsv", {"t", "x"});
-        const State end =
-            run(explicit_euler, spring, start, seconds / steps, steps, [&](const auto& s) {
-                table.row({s.t, s.x});
-            });
+        const State end = run(explicit_euler, spring, start, seconds / steps, steps, [&](const auto& s) {
+            table.row({s.t, s.x});
+        });
         const State exact = spring.exact(start, seconds);
         const double error = amplitude({0, end.x - exact.x, end.v - exact.v}, settings.omega);
         std::printf(" %.3g m (%ld steps)", error, steps);
-        out.number("smaller_steps_" + std::to_string(divisor), double(steps), "",
-                   "steps in two periods");
-        out.number("smaller_error_" + std::to_string(divisor), error, "m",
-                   "error after two periods");
+        out.number("smaller_steps_" + std::to_string(divisor), double(steps), "", "steps in two periods");
+        out.number("smaller_error_" + std::to_string(divisor), error, "m", "error after two periods");
         if (divisor > 1)
             out.check("smaller_is_better_" + std::to_string(divisor), error < before,
                       "explicit Euler's error falls as the step is halved");
@@ -107,12 +101,9 @@ void backwards(const Settings& settings, lab::Findings& out) {
     }
     back.row({state.t, state.x, state.v / settings.omega});
     const double miss = std::hypot(state.x - 1, state.v / settings.omega);
-    std::printf(
-        "  %ld implicit steps, then as many explicit ones with -h, miss the start by %.1e m\n",
-        steps, miss);
+    std::printf("  %ld implicit steps, then as many explicit ones with -h, miss the start by %.1e m\n", steps, miss);
     out.number("backwards_steps", double(steps), "", "steps there, and back");
-    out.number("backwards_miss", miss, "m", "distance from the start after going there and back",
-               2);
+    out.number("backwards_miss", miss, "m", "distance from the start after going there and back", 2);
     // A step there and back rounds by a few ε of the amplitude, and explicit Euler carries each
     // error on, larger, to the end: by no more than (1 + ω²h²)^(steps/2).
     const double carried = std::pow(1 + settings.wh() * settings.wh(), steps / 2.0);
@@ -124,8 +115,8 @@ void backwards(const Settings& settings, lab::Findings& out) {
 
 void portraits(const Settings& settings, lab::Findings& out) {
     out.section("Three Eulers on one spring");
-    std::printf("  omega = %g rad/s, h = %.5g s (omega h = %.4g), %ld steps\n", settings.omega,
-                settings.step, settings.wh(), settings.steps);
+    std::printf("  omega = %g rad/s, h = %.5g s (omega h = %.4g), %ld steps\n", settings.omega, settings.step,
+                settings.wh(), settings.steps);
     const double explicit_growth = portrait(explicit_euler, settings, out).growth;
     const double implicit_growth = portrait(implicit_euler, settings, out).growth;
     const Portrait semi = portrait(semi_implicit_euler, settings, out);
@@ -147,12 +138,11 @@ void portraits(const Settings& settings, lab::Findings& out) {
               "implicit Euler divides the amplitude by sqrt(1 + (omega h)^2) a step");
     // The kept energy, here ½ω², is between 1 − ωh/2 and 1 + ωh/2 times the true one, and that is
     // ½ω² times the square of the amplitude.
-    out.check(
-        "semi_implicit_stays",
-        semi.most < std::sqrt(1 / (1 - settings.wh() / 2)) * (1 + settings.steps * roundoff) &&
-            semi.least > std::sqrt(1 / (1 + settings.wh() / 2)) * (1 - settings.steps * roundoff),
-        "semi-implicit Euler's amplitude stays between 1/sqrt(1 + omega h/2) and 1/sqrt(1 - omega "
-        "h/2)");
+    out.check("semi_implicit_stays",
+              semi.most < std::sqrt(1 / (1 - settings.wh() / 2)) * (1 + settings.steps * roundoff) &&
+                  semi.least > std::sqrt(1 / (1 + settings.wh() / 2)) * (1 - settings.steps * roundoff),
+              "semi-implicit Euler's amplitude stays between 1/sqrt(1 + omega h/2) and 1/sqrt(1 - omega "
+              "h/2)");
     smaller_steps(settings, out);
     backwards(settings, out);
 }

@@ -24,9 +24,7 @@ struct Settings {
 
 // Position and velocity over ω have the same unit, so a state is a point in a plane and its
 // distance from the origin is the amplitude of the swing.
-inline double amplitude(const timestep::State<double>& s, double omega) {
-    return std::hypot(s.x, s.v / omega);
-}
+inline double amplitude(const timestep::State<double>& s, double omega) { return std::hypot(s.x, s.v / omega); }
 
 void portraits(const Settings&, lab::Findings&);         // portraits.cpp
 void energies(const Settings&, lab::Findings&);          // energy.cpp

@@ -45,9 +45,8 @@ struct Typed {
     double rate, share, h;  // made for this h
     bool ode;               // its γ is CFM over the step
     State<double> step(const SoftConstraint&, const State<double>& s, double step) const {
-        const double gamma = (1 / share - 1) * (ode ? h / step : 1);  // for a mass of one
-        const double v2 =
-            s.v - (s.v + rate * h / step * s.x) / (1 + gamma);  // β = rate h stays as it was typed
+        const double gamma = (1 / share - 1) * (ode ? h / step : 1);          // for a mass of one
+        const double v2 = s.v - (s.v + rate * h / step * s.x) / (1 + gamma);  // β = rate h stays as it was typed
         return {s.t + step, s.x + step * v2, v2};
     }
 };
@@ -58,8 +57,7 @@ struct Felt {
 };
 template <class Method, class Model>
 Felt felt(const Method& method, const Model& model, double h) {
-    const std::complex<double> rate =
-        std::log(eigenvalues(step_matrix(method, model, h)).first) / h;
+    const std::complex<double> rate = std::log(eigenvalues(step_matrix(method, model, h)).first) / h;
     return {std::abs(rate), -rate.real() / std::abs(rate)};
 }
 
@@ -69,12 +67,10 @@ void several_at_one_mass(lab::Findings& out) {
     const double degrees[] = {20, 45, 0}, h = 1.0 / 60;
     const SoftConstraint soft[] = {{300, 0.1}, {30, 20}, {300, 0.1}};
     double x = 1, y = 0, vx = 0, vy = 0, alone = 0;
-    for (const SoftConstraint& one : soft)
-        alone = std::max(alone, spectral_radius(step_matrix(Solver{}, one, h)));
+    for (const SoftConstraint& one : soft) alone = std::max(alone, spectral_radius(step_matrix(Solver{}, one, h)));
     for (int step = 0; step < 60; ++step) {
         for (int i = 0; i < 3; ++i) {
-            const double c = std::cos(degrees[i] * pi / 180), s = std::sin(degrees[i] * pi / 180),
-                         v = c * vx + s * vy;
+            const double c = std::cos(degrees[i] * pi / 180), s = std::sin(degrees[i] * pi / 180), v = c * vx + s * vy;
             const double change = soft[i].correct(c * x + s * y, v, h) - v;
             vx += c * change, vy += s * change;
         }
@@ -103,9 +99,8 @@ void soft_constraints(const Settings&, lab::Findings& out) {
         for (double wh = 1e-3; wh < 2e3; wh *= 10) {
             const auto soft = step_matrix(Solver{}, SoftConstraint{1, zeta}, wh);
             const auto euler = step_matrix(implicit_euler, DampedSpring(1.0, zeta), wh);
-            for (const auto& [a, b] :
-                 {std::pair(soft.xx, euler.xx), std::pair(soft.vv, euler.vv),
-                  std::pair(soft.vx * wh, euler.vx * wh), std::pair(soft.xv / wh, euler.xv / wh)})
+            for (const auto& [a, b] : {std::pair(soft.xx, euler.xx), std::pair(soft.vv, euler.vv),
+                                       std::pair(soft.vx * wh, euler.vx * wh), std::pair(soft.xv / wh, euler.xv / wh)})
                 worst = std::max(worst, std::fabs(a - b));
             largest = std::max(largest, spectral_radius(soft));
         }
@@ -125,8 +120,7 @@ void soft_constraints(const Settings&, lab::Findings& out) {
     double blows_up = 0;
     for (int i = 0; i <= 120; ++i) {
         const double wh = 0.05 * std::pow(1000.0, i / 120.0);
-        const double spring =
-            spectral_radius(step_matrix(semi_implicit_euler, DampedSpring(1.0, zeta), wh));
+        const double spring = spectral_radius(step_matrix(semi_implicit_euler, DampedSpring(1.0, zeta), wh));
         const double soft = spectral_radius(step_matrix(Solver{}, SoftConstraint{1, zeta}, wh));
         lines.row({wh, std::exp(-zeta * wh), std::fmin(spring, 3), soft});
         if (blows_up == 0 && spring > 1) blows_up = wh;
@@ -135,14 +129,12 @@ void soft_constraints(const Settings&, lab::Findings& out) {
         // every step.
         const SoftConstraint model{1, zeta};
         State<double> a{0, 1, 0}, b{0, 0, 1};
-        for (int n = 0; n < 4; ++n)
-            a = Solver{}.step(model, a, wh), b = Solver{}.step(model, b, wh);
+        for (int n = 0; n < 4; ++n) a = Solver{}.step(model, a, wh), b = Solver{}.step(model, b, wh);
         points.row({wh, std::pow(a.x * b.v - a.v * b.x, 1.0 / 8)});
     }
     out.number("soft_zeta", zeta, "", "damping ratio in the picture");
-    out.check(
-        "soft_where_springs_fail", blows_up > 1.7 && blows_up < 2.0,
-        "the same spring as a force, by semi-implicit Euler, grows a little below omega h = 2");
+    out.check("soft_where_springs_fail", blows_up > 1.7 && blows_up < 2.0,
+              "the same spring as a force, by semi-implicit Euler, grows a little below omega h = 2");
 
     // The price: 5 Hz with little damping, at 60 Hz.
     const double hz = 5, omega = 2 * pi * hz, h = 1.0 / 60;
@@ -155,11 +147,8 @@ void soft_constraints(const Settings&, lab::Findings& out) {
     out.number("soft_hz", hz, "Hz", "a designer's spring");
     out.number("soft_felt_zeta", designed.zeta, "", "the damping ratio that it has at 60 Hz", 2);
     out.number("soft_felt_often", often.zeta, "", "and at 240 Hz", 2);
-    const auto swings = [&](const Felt& f) {
-        return f.omega * std::sqrt(1 - f.zeta * f.zeta) / (2 * pi);
-    };
-    out.number("soft_felt_swings", swings(designed), "", "how often it swings in a second at 60 Hz",
-               2);
+    const auto swings = [&](const Felt& f) { return f.omega * std::sqrt(1 - f.zeta * f.zeta) / (2 * pi); };
+    out.number("soft_felt_swings", swings(designed), "", "how often it swings in a second at 60 Hz", 2);
     out.number("soft_often_swings", swings(often), "", "and at 240 Hz", 2);
     out.check("soft_adds_damping", designed.zeta > 2 * zeta && often.zeta < designed.zeta,
               "at 60 Hz a soft constraint of 5 Hz has over twice the damping asked for, at 240 Hz "
@@ -175,12 +164,10 @@ void soft_constraints(const Settings&, lab::Findings& out) {
     const Typed typed{omega / b, share, h, false}, ode{omega / b, share, h, true};
     const double softer = stiffness(typed, 2 * h) / stiffness(typed, h),
                  by_ode = stiffness(ode, 2 * h) / stiffness(ode, h);
-    out.number("typed_softer", 1 / softer, "",
-               "how much softer beta and gamma typed in at 60 Hz are at 30 Hz", 3);
+    out.number("typed_softer", 1 / softer, "", "how much softer beta and gamma typed in at 60 Hz are at 30 Hz", 3);
     out.number("typed_softer_ode", 1 / by_ode, "", "how much softer ODE's ERP and CFM are", 3);
-    out.check(
-        "typed_depends_on_the_rate", std::fabs(softer - 0.25) < 1e-12,
-        "typed in as numbers, beta and gamma are a quarter of the stiffness at half the rate");
+    out.check("typed_depends_on_the_rate", std::fabs(softer - 0.25) < 1e-12,
+              "typed in as numbers, beta and gamma are a quarter of the stiffness at half the rate");
     out.check("typed_in_ode", std::fabs(by_ode - 0.5) < 1e-12,
               "typed in as ODE's ERP and CFM, which ODE divides by the step, they are half of the "
               "stiffness at half the rate");

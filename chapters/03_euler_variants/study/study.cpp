@@ -8,8 +8,7 @@ int main(int argc, char** argv) {
     program.option("--omega", settings.omega, lab::above_zero, "angular frequency, rad/s");
     program.option("--step", settings.step, lab::above_zero, "time step, s");
     program.option("--steps", settings.steps, 1, 100000, "number of steps in the portraits");
-    program.option("--method", settings.method,
-                   {"all", "explicit_euler", "implicit_euler", "semi_implicit_euler"},
+    program.option("--method", settings.method, {"all", "explicit_euler", "implicit_euler", "semi_implicit_euler"},
                    "the method in the portraits");
     return program.run(argc, argv, [&](lab::Findings& out) {
         const timestep::Spring spring(settings.omega);  // refuses an ω whose square is not finite

@@ -45,10 +45,9 @@ void portraits_near_the_limit(lab::Findings& out) {
     for (const double wh : {0.1, 0.5, 1.0, 1.5, 1.9, 1.99, 2.0, 2.01}) {
         auto& table = out.table("sweep_" + label(wh) + ".tsv", {"x", "v_over_omega"});
         // At the limit the state leaves along a line, past it along a curve, within a few steps.
-        run(semi_implicit_euler, spring, State{0, 1.0, 0.0}, wh, wh < 2 ? 400 : 12,
-            [&](const auto& s) {
-                table.row({s.x, s.v});
-            });
+        run(semi_implicit_euler, spring, State{0, 1.0, 0.0}, wh, wh < 2 ? 400 : 12, [&](const auto& s) {
+            table.row({s.x, s.v});
+        });
         if (wh >= 2) continue;
         const long steps = 100000;
         const double measured = steps_per_swing(wh, steps);
@@ -59,15 +58,12 @@ void portraits_near_the_limit(lab::Findings& out) {
         return run(semi_implicit_euler, spring, State{0, 1.0, 0.0}, wh, steps);
     };
     const State sixth = after(1, 6);
-    out.check("six_points", std::hypot(sixth.x - 1, sixth.v) < 1e-14,
-              "at omega h = 1 the sixth state is the first");
-    const double gained = after(2, 200).x - after(2, 100).x,
-                 again = after(2, 300).x - after(2, 200).x;
+    out.check("six_points", std::hypot(sixth.x - 1, sixth.v) < 1e-14, "at omega h = 1 the sixth state is the first");
+    const double gained = after(2, 200).x - after(2, 100).x, again = after(2, 300).x - after(2, 200).x;
     out.check("linear_at_2", std::fabs(again / gained - 1) < 1e-12 && std::fabs(gained) > 100,
               "at omega h = 2 the oscillation grows by the same amount each step");
     // The straight line between two steps puts each crossing at most one step off: 2 in 100000.
-    out.check("frequency", worst < 2e-5,
-              "semi-implicit Euler swings with cos(theta) = 1 - (omega h)^2/2");
+    out.check("frequency", worst < 2e-5, "semi-implicit Euler swings with cos(theta) = 1 - (omega h)^2/2");
 }
 
 // One portrait a frame, ωh rising slowly.
@@ -76,10 +72,9 @@ void frames(lab::Findings& out) {
     auto& table = out.table("sweep_frames.tsv", {"wh", "x", "v_over_omega"});
     for (int frame = 0; frame <= 80; ++frame) {
         const double wh = frame < 76 ? 0.1 + frame * 0.025 : 2.0 + (frame - 76) * 0.004;
-        run(semi_implicit_euler, spring, State{0, 1.0, 0.0}, wh, wh < 2 ? 240 : 60,
-            [&](const auto& s) {
-                if (std::fabs(s.x) < 9 && std::fabs(s.v) < 9) table.row({wh, s.x, s.v});
-            });
+        run(semi_implicit_euler, spring, State{0, 1.0, 0.0}, wh, wh < 2 ? 240 : 60, [&](const auto& s) {
+            if (std::fabs(s.x) < 9 && std::fabs(s.v) < 9) table.row({wh, s.x, s.v});
+        });
         table.gap();
         table.gap();
     }
@@ -95,12 +90,10 @@ void rule_of_thumb(lab::Findings& out) {
     };
     const double four = 100 * (steps_per_swing(2 * pi / 4, 100000) / 4 - 1);
     const double ten = 100 * (steps_per_swing(2 * pi / 10, 100000) / 10 - 1);
-    std::printf("  4 steps a period: growth x %.6f a step, the period is off by %.1f %%\n",
-                radius(4), four);
+    std::printf("  4 steps a period: growth x %.6f a step, the period is off by %.1f %%\n", radius(4), four);
     std::printf("  3 steps a period: growth x %.3f a step\n", radius(3));
     out.number("period_error_4", std::fabs(four), "%", "period too short by, at 4 steps a period");
-    out.number("period_error_10", std::fabs(ten), "%", "period too short by, at 10 steps a period",
-               2);
+    out.number("period_error_10", std::fabs(ten), "%", "period too short by, at 10 steps a period", 2);
     out.number("growth_3", radius(3), "", "growth a step at 3 steps a period");
     out.check("four_steps", std::fabs(radius(4) - 1) < 1e-15 * 8 && radius(3) > 1,
               "4 steps a period are stable, 3 are not");

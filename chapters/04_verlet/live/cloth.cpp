@@ -31,13 +31,10 @@ public:
         gust_before = gust = {0, 0.0, 0.0};
         gust.x = 0.03;
     }
-    bool restarts(const live::Control&) const override {
-        return steps == 0;
-    }  // else they act on the moving cloth
+    bool restarts(const live::Control&) const override { return steps == 0; }  // else they act on the moving cloth
 
     void step() override {
-        if (still > 0 && grabbed < 0)
-            return void(--still);  // so that what has torn is seen before it flies away
+        if (still > 0 && grabbed < 0) return void(--still);  // so that what has torn is seen before it flies away
         // Gusts come and go as a spring swings; Verlet steps that, too.
         const State<double> next_gust = verlet.step(Spring(2.0), gust_before, gust, h);
         gust_before = gust, gust = next_gust;
@@ -49,13 +46,11 @@ public:
             // What is held follows within some frames: so it has a speed when it is let go.
             if (i == grabbed) next[i].x = now[i].x + (finger - now[i].x) / 3;
             if (hangs(i)) next[i].x = now[i].x + (start(i) + rail - now[i].x) / 3;
-            if (next[i].x(1) < floor)
-                next[i].x = {now[i].x(0), floor, now[i].x(2)};  // what is torn off lies there
+            if (next[i].x(1) < floor) next[i].x = {now[i].x(0), floor, now[i].x(2)};  // what is torn off lies there
         }
         before = now, now = next;
 
-        for (int k = 0; k < sweeps; ++k)
-            each_link([&](bool whole, int a, int b) { whole ? put_right(a, b) : void(); });
+        for (int k = 0; k < sweeps; ++k) each_link([&](bool whole, int a, int b) { whole ? put_right(a, b) : void(); });
         const double most = link * (1 + tears_at / 100);
         each_link([&](bool& whole, int a, int b) { whole = whole && length(a, b) < most; });
         read();
@@ -81,13 +76,10 @@ public:
         for (int i = 0; i < points; ++i)
             if (hangs(i) || i == grabbed) p.dot(across(now[i].x), up(now[i].x), 4);
         if (torn.value > 0)
-            p.text(-0.88, -1.43,
-                   still > 0 ? "orange: the first to tear" : "torn: Restart gives a new one");
+            p.text(-0.88, -1.43, still > 0 ? "orange: the first to tear" : "torn: Restart gives a new one");
         if (still == 0) return;
         p.ink("explicit", 3);
-        each_link([&](bool whole, int a, int b) {
-            whole ? void() : (to(p, a, true), to(p, b), p.stroke());
-        });
+        each_link([&](bool whole, int a, int b) { whole ? void() : (to(p, a, true), to(p, b), p.stroke()); });
     }
 
     // The finger takes the nearest point, and pulls it in the plane in which it is; a ring takes
@@ -105,14 +97,11 @@ public:
     void drag(double x, double y) override {
         if (grabbed < 0) return;  // started anew under the finger
         const double z = now[grabbed].x(2);
-        finger = {std::fmin(std::fmax(x, -1.2), 1.2) - 0.35 * z,
-                  std::fmin(std::fmax(y, -1.5), 0.5) + 0.2 * z, z};
+        finger = {std::fmin(std::fmax(x, -1.2), 1.2) - 0.35 * z, std::fmin(std::fmax(y, -1.5), 0.5) + 0.2 * z, z};
         if (hangs(grabbed)) rail = finger - start(grabbed);
     }
     void let_go() override { grabbed = -1; }
-    bool handle(double& x, double& y) const override {
-        return x = across(now[0].x), y = up(now[0].x), true;
-    }
+    bool handle(double& x, double& y) const override { return x = across(now[0].x), y = up(now[0].x), true; }
 
 private:
     static constexpr int columns = 14, rows = 10, points = columns * rows;
@@ -120,19 +109,15 @@ private:
     static constexpr double h = 1.0 / 60;                                            // s
 
     // Where a point is at the start; and is it a ring, which holds the cloth?
-    static Vector3d start(int i) {
-        return {i % columns * link - width / 2, -(i / columns) * link, 0};
-    }
+    static Vector3d start(int i) { return {i % columns * link - width / 2, -(i / columns) * link, 0}; }
     static bool hangs(int i) { return i == 0 || i == 4 || i == 9 || i == columns - 1; }
 
     // Wind pushes along the normal, the more the more it is faced: that takes positions only, as
     // Verlet must have it.
     Vector3d push_of_wind(int i) const {
         const int column = i % columns, row = i / columns;
-        const Vector3d along =
-            now[column < columns - 1 ? i + 1 : i].x - now[column > 0 ? i - 1 : i].x;
-        const Vector3d down =
-            now[row < rows - 1 ? i + columns : i].x - now[row > 0 ? i - columns : i].x;
+        const Vector3d along = now[column < columns - 1 ? i + 1 : i].x - now[column > 0 ? i - 1 : i].x;
+        const Vector3d down = now[row < rows - 1 ? i + columns : i].x - now[row > 0 ? i - columns : i].x;
         const Vector3d normal = direction(Vector3d(down.cross(along)));
         return wind * (1 + gust.x) * normal.dot(Vector3d(0.6, 0, 0.8)) * normal;
     }

@@ -50,8 +50,7 @@ public:
         iterations = n * sweeps, dt_now = 1000 * dt;
         // Averaged over a third of a second, so that it can be read.
         plain_too_long = plain_too_long.value + (100 * stretch(plain) - plain_too_long.value) / 20;
-        corrected_too_long =
-            corrected_too_long.value + (100 * stretch(corrected) - corrected_too_long.value) / 20;
+        corrected_too_long = corrected_too_long.value + (100 * stretch(corrected) - corrected_too_long.value) / 20;
     }
 
     void draw(live::Picture& p) const override {
@@ -70,8 +69,8 @@ public:
         p.ink("ink");
         p.dot(hook(0), hook(1), 5);
         if (grabbed > 0) p.dot(finger(0), finger(1), 4);
-        if (grabbed <= 0 && std::fmax(plain_too_long.value, corrected_too_long.value) >
-                                5)  // else it may be the finger's doing
+        if (grabbed <= 0 &&
+            std::fmax(plain_too_long.value, corrected_too_long.value) > 5)  // else it may be the finger's doing
             p.text(-2.3, -3.2, "too long: too few iterations or steps");
     }
 
@@ -88,9 +87,7 @@ public:
         return grabbed >= 0;
     }
     void drag(double x, double y) override {
-        const auto within = [](double a, double least, double most) {
-            return a < least ? least : a > most ? most : a;
-        };
+        const auto within = [](double a, double least, double most) { return a < least ? least : a > most ? most : a; };
         finger = Vector2d(within(x, -2.4, 2.4), within(y, lowest, 1.3));
         if (grabbed == 0) hook = finger;
     }
@@ -110,9 +107,8 @@ private:
         const Projectile<Vector2d> gravity(Vector2d(0, -9.81));
         for (int i = 0; i <= links; ++i) {
             State<Vector2d>&before = rope.before[i], &now = rope.now[i];
-            State<Vector2d> next = corrects
-                                       ? verlet.corrected_step(gravity, before, now, dt_before, dt)
-                                       : verlet.step(gravity, before, now, dt);
+            State<Vector2d> next = corrects ? verlet.corrected_step(gravity, before, now, dt_before, dt)
+                                            : verlet.step(gravity, before, now, dt);
             // What is held goes a third of the way to the finger in a frame: so it has a speed when
             // it is let go.
             if (held(i)) next.x = now.x + ((i == 0 ? hook : finger) - now.x) / (1 + 2 * n);
@@ -136,8 +132,7 @@ private:
     int steps_a_frame() {
         const int n = static_cast<int>(cuts);
         if (changes == 1) return steps / 30 % 2 == 0 ? n : 4 * n;
-        if (changes == 2)
-            return n * static_cast<int>(1 + (chance = chance * 1103515245 + 12345) / 65536 % 4);
+        if (changes == 2) return n * static_cast<int>(1 + (chance = chance * 1103515245 + 12345) / 65536 % 4);
         return n;
     }
     // The rope's length over what it should be, less one.
@@ -156,8 +151,7 @@ private:
 
     live::Slider sweeps{this, "sweeps", "iterations a step", 1, 64, 1, 2};
     live::Slider cuts{this, "cuts", "steps a frame", 1, 8, 1, 1};
-    live::Choice changes{this, "changes", "Δt",
-                         "stays the same|shorter every other half second|changes every frame"};
+    live::Choice changes{this, "changes", "Δt", "stays the same|shorter every other half second|changes every frame"};
     live::Readout plain_too_long{this, verlet.name, "% over 2 m"};
     live::Readout corrected_too_long{this, "corrected for Δt", "% over 2 m", "first"};
     live::Readout dt_now{this, "Δt", "ms"};

@@ -77,8 +77,7 @@ auto mean_errors(const Step&... step) {
             std::size_t form = 0;
             ((sum[form++] += position_error(h, step)), ...);
         }
-        for (std::size_t form = 0; form < sum.size(); ++form)
-            mean[form].push_back(sum[form] / draws);
+        for (std::size_t form = 0; form < sum.size(); ++form) mean[form].push_back(sum[form] / draws);
     }
     return mean;
 }
@@ -104,44 +103,40 @@ void changing_steps(const Settings&, lab::Findings& out) {
     const auto plain = [](const auto& model, const auto& s0, const auto& s1, double, double h2) {
         return verlet.step(model, s0, s1, h2);
     };
-    const auto scaled = [](const auto& model, const auto& s0, const auto& s1, double h1,
-                           double h2) { return verlet.scaled_step(model, s0, s1, h1, h2); };
-    const auto corrected = [](const auto& model, const auto& s0, const auto& s1, double h1,
-                              double h2) { return verlet.corrected_step(model, s0, s1, h1, h2); };
-    const auto with_velocity = [](const auto& model, const auto&, const auto& s1, double,
-                                  double h2) { return velocity_verlet.step(model, s1, h2); };
+    const auto scaled = [](const auto& model, const auto& s0, const auto& s1, double h1, double h2) {
+        return verlet.scaled_step(model, s0, s1, h1, h2);
+    };
+    const auto corrected = [](const auto& model, const auto& s0, const auto& s1, double h1, double h2) {
+        return verlet.corrected_step(model, s0, s1, h1, h2);
+    };
+    const auto with_velocity = [](const auto& model, const auto&, const auto& s1, double, double h2) {
+        return velocity_verlet.step(model, s1, h2);
+    };
     bool each_leaves = true, all_stay = true;
     const auto by_chance = mean_errors(plain, scaled, corrected, with_velocity);
     std::size_t form = 0;
-    const auto both = [&](const std::string& name, const auto& step, double wanted,
-                          const char* says) {
+    const auto both = [&](const std::string& name, const auto& step, double wanted, const char* says) {
         const double turn = order(
-            "turn_" + name + ".tsv",
-            [&](int i) { return position_error(steps_in_turn(count_of(i)), step); }, out);
+            "turn_" + name + ".tsv", [&](int i) { return position_error(steps_in_turn(count_of(i)), step); }, out);
         const double chance = order(
-            "chance_" + name + ".tsv",
-            [&](int i) { return by_chance[form][static_cast<std::size_t>(i)]; }, out);
+            "chance_" + name + ".tsv", [&](int i) { return by_chance[form][static_cast<std::size_t>(i)]; }, out);
         ++form;
-        std::printf("  %-16s order %5.2f with steps long and short in turn, %5.2f by chance\n",
-                    name.c_str(), turn, chance);
+        std::printf("  %-16s order %5.2f with steps long and short in turn, %5.2f by chance\n", name.c_str(), turn,
+                    chance);
         const auto hundredths = [](double value) { return std::round(100 * value) / 100 + 0.0; };
         out.number("turn_" + name, hundredths(turn), "", "order, steps long and short in turn");
         out.number("chance_" + name, hundredths(chance), "", "order, steps by chance");
         // The mean of 200 errors scatters by 1/√200 = 7 %: over the nine points of the fit, four
         // octaves, some 0.03 in the slope. The draws are the same on every machine.
-        out.check("changing_" + name,
-                  std::fabs(turn - wanted) < 0.05 && std::fabs(chance - wanted) < 0.05, says);
+        out.check("changing_" + name, std::fabs(turn - wanted) < 0.05 && std::fabs(chance - wanted) < 0.05, says);
         each_leaves = each_leaves && blows_up(1.2, 1.9, step);
         all_stay = all_stay && !blows_up(1.2, 1.2, step) && !blows_up(1.9, 1.9, step);
     };
     both("plain", plain, 0, "with a changing step plain Verlet does not converge");
     both("scaled", scaled, 1, "with a changing step the usual repair is of order one");
-    both("corrected", corrected, 2,
-         "with a changing step the time-corrected repair is of order two");
-    both("velocity", with_velocity, 2,
-         "with a changing step velocity Verlet is of order two, as it stands");
-    out.check(
-        "turns_blow_up", each_leaves && all_stay,
-        "steps of omega h = 1.2 and 1.9 are stable alone and blow up in turn, for plain Verlet, "
-        "both repairs and velocity Verlet");
+    both("corrected", corrected, 2, "with a changing step the time-corrected repair is of order two");
+    both("velocity", with_velocity, 2, "with a changing step velocity Verlet is of order two, as it stands");
+    out.check("turns_blow_up", each_leaves && all_stay,
+              "steps of omega h = 1.2 and 1.9 are stable alone and blow up in turn, for plain Verlet, "
+              "both repairs and velocity Verlet");
 }

@@ -23,8 +23,7 @@ const double compliance = true_stretch * 2 * length / (g * double(links + 1));  
 
 struct Rope {
     std::vector<Vector2d> x, before;
-    std::vector<double>
-        lambda;  // the multiplier of each link so far in this step: its pull times h²
+    std::vector<double> lambda;  // the multiplier of each link so far in this step: its pull times h²
 };
 
 // A link from point i − 1 to point i. w is one over a point's mass; the first point is held.
@@ -55,8 +54,8 @@ double hangs(double rate, int sweeps, double soft_per_h2) {
     for (int n = 0; n < int(10 * rate); ++n) {
         rope.lambda.assign(links + 1, 0);
         for (std::size_t i = 1; i <= links; ++i) {
-            const Vector2d next = rope.x[i] + std::exp(-10 * h) * (rope.x[i] - rope.before[i]) +
-                                  h * h * Vector2d(0, -g);
+            const Vector2d next =
+                rope.x[i] + std::exp(-10 * h) * (rope.x[i] - rope.before[i]) + h * h * Vector2d(0, -g);
             rope.before[i] = rope.x[i];
             rope.x[i] = next;
         }
@@ -106,13 +105,10 @@ void compliant_swing(lab::Findings& out) {
         "  a point that swings on one XPBD link at 30 rad/s: a period leaves %.1f %% at 60 Hz, "
         "%.1f %% at 480 Hz\n",
         100 * slow.left, 100 * fast.left);
-    out.number("compliant_omega", omega, "rad/s",
-               "spring that the compliance of the swinging link stands for", 2);
+    out.number("compliant_omega", omega, "rad/s", "spring that the compliance of the swinging link stands for", 2);
     out.number("compliant_wh", omega / 60, "", "its ωh at 60 Hz", 2);
-    out.number("compliant_left", 100 * slow.left, "%",
-               "XPBD at 60 Hz: amplitude left after a period", 2);
-    out.number("compliant_left_fast", 100 * fast.left, "%",
-               "XPBD at 480 Hz: amplitude left after a period", 2);
+    out.number("compliant_left", 100 * slow.left, "%", "XPBD at 60 Hz: amplitude left after a period", 2);
+    out.number("compliant_left_fast", 100 * fast.left, "%", "XPBD at 480 Hz: amplitude left after a period", 2);
     // A position of 0.11 m is rounded by less than 1e-16 in a step, and the displacement keeps
     // that: 60 · 61 / 2 times at most.
     out.check("compliance_is_implicit_euler", slow.apart < 2e-13 && fast.apart < 2e-13,
@@ -129,8 +125,7 @@ void compliant_ropes(const Settings&, lab::Findings& out) {
     auto& table = out.table("compliance.tsv", {"rate", "pbd", "few", "many"});
     double least = 1, most = 0, first = 0, last = 0, few = 0, off_fast = 0;
     for (const double rate : {30.0, 60.0, 120.0, 240.0, 480.0}) {
-        const double pbd = hangs(rate, 8, 0), eight = hangs(rate, 8, compliance),
-                     many = hangs(rate, 200, compliance);
+        const double pbd = hangs(rate, 8, 0), eight = hangs(rate, 8, compliance), many = hangs(rate, 200, compliance);
         std::printf(
             "  %3.0f Hz: PBD, 8 iterations %6.3f %%; XPBD, 8 iterations %6.3f %%, 200 iterations "
             "%6.3f %%\n",
@@ -142,19 +137,16 @@ void compliant_ropes(const Settings&, lab::Findings& out) {
         last = pbd, off_fast = eight;
     }
     out.number("compliance", 1e3 * compliance, "mm/N", "compliance of a link", 2);
-    out.number("compliant_true", 100 * true_stretch, "%", "by how much such a rope hangs too long",
-               2);
+    out.number("compliant_true", 100 * true_stretch, "%", "by how much such a rope hangs too long", 2);
     out.number("compliant_few", 100 * few, "%", "XPBD at 60 Hz with 8 iterations", 2);
     out.number("compliant_fast", 100 * off_fast, "%", "XPBD at 480 Hz with 8 iterations", 2);
-    out.number("stiffer_by", first / last, "",
-               "PBD with 8 iterations: stretch at 30 Hz over that at 480 Hz", 3);
+    out.number("stiffer_by", first / last, "", "PBD with 8 iterations: stretch at 30 Hz over that at 480 Hz", 3);
     out.check("compliance_holds", least > 0.99 * true_stretch && most < 1.01 * true_stretch,
               "with 200 iterations XPBD hangs within a hundredth as much too long as its "
               "compliance says, from 30 to 480 Hz");
     out.check("pbd_depends_on_the_rate", first / last > 200,
               "with eight iterations PBD stretches over 200 times as much at 30 Hz as at 480 Hz");
-    out.check("few_iterations_are_soft",
-              few > 1.1 * true_stretch && std::fabs(off_fast / true_stretch - 1) < 0.01,
+    out.check("few_iterations_are_soft", few > 1.1 * true_stretch && std::fabs(off_fast / true_stretch - 1) < 0.01,
               "eight iterations are too few for XPBD at 60 Hz, and enough at 480 Hz");
     compliant_swing(out);
 }

@@ -61,14 +61,11 @@ void constant_force(const Settings& settings, lab::Findings& out) {
         "  a ball, 2.8 s in 1 to 2800 steps: the constant-acceleration step is off by %.1e at "
         "most\n",
         worst);
-    out.number("ball_worst", worst, "m",
-               "the constant-acceleration step's error on a projectile, any step", 2);
-    out.check("ball_exact", within,
-              "the constant-force method is exact on a projectile but for rounding");
+    out.number("ball_worst", worst, "m", "the constant-acceleration step's error on a projectile, any step", 2);
+    out.check("ball_exact", within, "the constant-force method is exact on a projectile but for rounding");
 
     const Spring spring(1.0);
-    auto& lines =
-        out.table("constant_acceleration_line.tsv", {"wh", "constant_acceleration", "root"});
+    auto& lines = out.table("constant_acceleration_line.tsv", {"wh", "constant_acceleration", "root"});
     for (int i = 0; i <= 300; ++i) {
         const double wh = 0.02 * i;
         lines.row({wh, formula(wh), std::sqrt(1 + wh * wh / 2)});
@@ -85,8 +82,8 @@ void constant_force(const Settings& settings, lab::Findings& out) {
             // ωh/4), by the same: the amplitude's logarithm wanders by no more than that of their
             // ratio. And a step's rounds by an ε or two.
             const double ripple = std::log((1 + wh / 4) / (1 - wh / 4)) / 2;
-            as_it_says = as_it_says && std::fabs(std::log(growth) - std::log1p(wh * wh / 2) / 2) <
-                                           ripple / measured_steps + 4 * eps;
+            as_it_says = as_it_says &&
+                         std::fabs(std::log(growth) - std::log1p(wh * wh / 2) / 2) < ripple / measured_steps + 4 * eps;
         }
         if (wh == 5.0) beyond = growth;
         const double radius = spectral_radius(step_matrix(constant_acceleration, spring, wh));
@@ -97,14 +94,10 @@ void constant_force(const Settings& settings, lab::Findings& out) {
         "  an undamped spring grows by sqrt(1 + (omega h)^2/2) a step: %.5f at omega h = %.3g,\n"
         "  %.3g in a second; measured within %.1e up to omega h = 4\n",
         formula(wh), wh, a_second, off);
-    out.number("newton_growth", formula(wh), "", "the constant-acceleration step's growth a step",
-               5);
-    out.number("newton_per_second", a_second, "",
-               "the constant-acceleration step's growth a second");
-    out.number("newton_at_5", beyond, "",
-               "the constant-acceleration step's growth a step at omega h = 5");
-    out.number("newton_at_5_root", std::sqrt(1 + 12.5), "",
-               "what the root would say at omega h = 5");
+    out.number("newton_growth", formula(wh), "", "the constant-acceleration step's growth a step", 5);
+    out.number("newton_per_second", a_second, "", "the constant-acceleration step's growth a second");
+    out.number("newton_at_5", beyond, "", "the constant-acceleration step's growth a step at omega h = 5");
+    out.number("newton_at_5_root", std::sqrt(1 + 12.5), "", "what the root would say at omega h = 5");
     out.check("newton_grows", as_it_says,
               "the constant-acceleration step multiplies an undamped spring's amplitude by sqrt(1 "
               "+ (omega h)^2/2) a step, "

@@ -37,8 +37,7 @@ void costs(const Settings&, lab::Findings& out) {
     out.number("work_seconds", seconds, "s", "for which the spring is stepped");
     out.number("work_fewest_steps", double(tried(0)), "", "the fewest steps tried");
     out.number("work_most_steps", double(tried(48)), "", "the most steps tried");
-    auto& table =
-        out.table("costs.tsv", {"method", "order", "forces a step", "evaluations for 0.1 %"});
+    auto& table = out.table("costs.tsv", {"method", "order", "forces a step", "evaluations for 0.1 %"});
     std::printf("  %-20s %8s %22s\n", "", "forces", "forces for 0.1 %");
     long fewest = 0, of_euler = 0, of_velocity = 0;
     bool counted_right = true;
@@ -62,13 +61,11 @@ void costs(const Settings&, lab::Findings& out) {
         if (id == "semi_implicit_euler") of_euler = needed;
         const std::string for_it = needed > 0 ? std::to_string(needed) : "more than tried";
         std::printf("  %-20s %8d %22s\n", method.name, method.cost.evaluations, for_it.c_str());
-        table.row({std::string(method.name), double(method.order), double(method.cost.evaluations),
-                   for_it});
+        table.row({std::string(method.name), double(method.order), double(method.cost.evaluations), for_it});
     });
     out.number("work_euler", double(of_euler), "", "semi-implicit Euler's evaluations for 0.1 %");
     out.number("work_verlet", double(fewest), "", "Verlet's evaluations for 0.1 %");
     out.check("counted", counted_right, "every method asks for the force as often as it says");
-    out.check(
-        "verlet_cheaper", fewest > 0 && fewest < of_euler && of_velocity < of_euler,
-        "for an error of 0.1 % Verlet asks for the force less often than semi-implicit Euler");
+    out.check("verlet_cheaper", fewest > 0 && fewest < of_euler && of_velocity < of_euler,
+              "for an error of 0.1 % Verlet asks for the force less often than semi-implicit Euler");
 }

@@ -39,8 +39,8 @@ void demos(const Settings&, lab::Findings& out) {
     out.number("demo_step", step, "s", "step of both demos");
     out.number("demo_wh", omega * step, "", "angular frequency times step in the demo");
 
-    auto& summary = out.table(
-        "demos.tsv", {"method", "ball: off at the end (m)", "spring: amplitude after 1000 steps"});
+    auto& summary =
+        out.table("demos.tsv", {"method", "ball: off at the end (m)", "spring: amplitude after 1000 steps"});
     std::printf("  %-20s %22s %24s\n", "", "ball: off at the end", "spring: after 1000 steps");
     double exact_on_ball = 0, off_on_ball = 1e9, least = 1e9, most = 0;
     for_each_demo_method([&](const auto& method) {
@@ -51,9 +51,7 @@ void demos(const Settings&, lab::Findings& out) {
         });
         const double off = (end.x - gravity.exact(thrown, steps * step).x).norm();
         auto& portrait = out.table("spring_" + id + ".tsv", {"t", "x", "v_over_omega"});
-        run(method, spring, let_go, step, steps, [&](const auto& s) {
-            portrait.row({s.t, s.x, s.v / omega});
-        });
+        run(method, spring, let_go, step, steps, [&](const auto& s) { portrait.row({s.t, s.x, s.v / omega}); });
 
         auto& long_run = out.table("amplitude_" + id + ".tsv", {"t", "amplitude"});
         const auto amplitude = [&](const auto& s) { return std::hypot(s.x, s.v / omega); };
@@ -70,16 +68,15 @@ void demos(const Settings&, lab::Findings& out) {
 
         // With a constant force these four are pieces of the parabola itself; the Eulers miss it by
         // h g t/2.
-        const bool parabola = id == "verlet" || id == "velocity_verlet" || id == "leapfrog" ||
-                              id == "constant_acceleration";
+        const bool parabola =
+            id == "verlet" || id == "velocity_verlet" || id == "leapfrog" || id == "constant_acceleration";
         if (parabola)
             exact_on_ball = std::max(exact_on_ball, off);
         else
             off_on_ball = std::min(off_on_ball, off);
         if (method.order == 2 || id == "semi_implicit_euler")
             least = std::min(least, reached), most = std::max(most, reached);
-        if (id == "constant_acceleration" || id == "explicit_euler" ||
-            id == "semi_implicit_euler") {
+        if (id == "constant_acceleration" || id == "explicit_euler" || id == "semi_implicit_euler") {
             out.number("ball_" + id, off, "m", "off at the end of the flight");
             out.number("spring_" + id, reached, "m", "amplitude after 1000 steps");
         }

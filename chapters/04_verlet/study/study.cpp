@@ -8,8 +8,7 @@ int main(int argc, char** argv) {
     program.option("--omega", settings.omega, lab::above_zero, "angular frequency, rad/s");
     program.option("--step", settings.step, lab::above_zero, "time step, s");
     program.option("--steps", settings.steps, 2, 100000, "number of steps in the first picture");
-    program.option("--sweeps", settings.sweeps, 1, 1000,
-                   "Gauss-Seidel iterations over the rope's links a step");
+    program.option("--sweeps", settings.sweeps, 1, 1000, "Gauss-Seidel iterations over the rope's links a step");
     return program.run(argc, argv, [&](lab::Findings& out) {
         const timestep::Spring spring(settings.omega);  // refuses an ω whose square is not finite
         if (!(settings.wh() >= 1e-3 && settings.wh() <= 1e3))

@@ -79,9 +79,8 @@ void three_forms(const Settings&, lab::Findings& out) {
     // δ/sin θ in the amplitude changes θ by at most as much, in each of the steps that follow: n²/2
     // δ in all, here with δ = 4ε.
     const double bound = 4 * eps / h * double(steps) * (1 + steps * h / 2);
-    out.check(
-        "forms_agree", a < bound && b < bound && c < bound / h,
-        "plain Verlet, velocity Verlet and leapfrog step through the same positions, to roundoff");
+    out.check("forms_agree", a < bound && b < bound && c < bound / h,
+              "plain Verlet, velocity Verlet and leapfrog step through the same positions, to roundoff");
 
     const double good = start_order(verlet, "start_taylor.tsv", out);
     const double careless = start_order(CarelessStart(), "start_careless.tsv", out);
@@ -93,8 +92,7 @@ void three_forms(const Settings&, lab::Findings& out) {
     out.number("start_good", good, "", "order of the positions with a good first step");
     out.number("start_careless", careless, "", "order with a first step without the force");
     out.number("start_euler", euler, "", "order with semi-implicit Euler's first step");
-    out.check(
-        "start_matters",
-        std::fabs(good - 2) < 0.05 && std::fabs(careless - 1) < 0.05 && std::fabs(euler - 1) < 0.05,
-        "one careless first step takes the order of the whole run from two to one");
+    out.check("start_matters",
+              std::fabs(good - 2) < 0.05 && std::fabs(careless - 1) < 0.05 && std::fabs(euler - 1) < 0.05,
+              "one careless first step takes the order of the whole run from two to one");
 }

@@ -58,12 +58,10 @@ void rounding_in_float(lab::Findings& out) {
         return verlet.step(Spring(1.0f), State{0, 1.0f, 0.0f}, State{h, 1.0f, 0.0f}, h).x != 1;
     };
     out.number("float_freezes", freezes, "s", "step below which Verlet in float stands still", 2);
-    out.check(
-        "float_frozen", !moves(float(freezes * 0.99)) && moves(float(freezes * 1.01)),
-        "in float, with shorter steps than this, Verlet's mass does not leave its start at all");
-    std::printf(
-        "  in float, %ld steps of %.1e s: Verlet is %.1e m off,\n  velocity Verlet %.1e m\n", steps,
-        2.0 / steps, plain, with_velocity);
+    out.check("float_frozen", !moves(float(freezes * 0.99)) && moves(float(freezes * 1.01)),
+              "in float, with shorter steps than this, Verlet's mass does not leave its start at all");
+    std::printf("  in float, %ld steps of %.1e s: Verlet is %.1e m off,\n  velocity Verlet %.1e m\n", steps,
+                2.0 / steps, plain, with_velocity);
     out.number("float_steps", double(steps), "", "steps of the shortest length in float");
     out.number("float_plain", plain, "m", "Verlet's error in float with the shortest step", 2);
     out.number("float_velocity", with_velocity, "m", "velocity Verlet's error there", 2);
@@ -92,21 +90,16 @@ void far_away_in_float(lab::Findings& out) {
         true_fall, near, far, with_velocity);
     out.number("fall_true", true_fall, "m", "a second of fall", 4);
     out.number("fall_frame", 1e3 * frame, "mm", "h²g at 60 Hz", 2);
-    out.number("fall_digit_near", 1e3 * last_digit(5000), "mm",
-               "the last binary digit of 5 km in float", 2);
-    out.number("fall_digit_far", 1e3 * last_digit(20000), "mm",
-               "the last binary digit of 20 km in float", 2);
-    out.number("fall_near", near, "m", "a second of fall by Verlet in float, 5 km from the origin",
-               3);
+    out.number("fall_digit_near", 1e3 * last_digit(5000), "mm", "the last binary digit of 5 km in float", 2);
+    out.number("fall_digit_far", 1e3 * last_digit(20000), "mm", "the last binary digit of 20 km in float", 2);
+    out.number("fall_near", near, "m", "a second of fall by Verlet in float, 5 km from the origin", 3);
     out.number("fall_far", far, "m", "the same 20 km from the origin", 3);
-    out.number("fall_velocity", with_velocity, "m",
-               "the same by velocity Verlet, 20 km from the origin", 3);
-    out.check(
-        "fall_in_float",
-        std::fabs(near / true_fall - 1) > 0.05 && std::fabs(far / true_fall - 1) > 0.2 &&
-            std::fabs(with_velocity / true_fall - 1) < 0.02,
-        "in float, a second of fall by Verlet is off by more than 5 % at 5 km from the origin and "
-        "by more than 20 % at 20 km; by velocity Verlet by less than 2 % at 20 km");
+    out.number("fall_velocity", with_velocity, "m", "the same by velocity Verlet, 20 km from the origin", 3);
+    out.check("fall_in_float",
+              std::fabs(near / true_fall - 1) > 0.05 && std::fabs(far / true_fall - 1) > 0.2 &&
+                  std::fabs(with_velocity / true_fall - 1) < 0.02,
+              "in float, a second of fall by Verlet is off by more than 5 % at 5 km from the origin and "
+              "by more than 20 % at 20 km; by velocity Verlet by less than 2 % at 20 km");
 }
 
 }  // namespace
@@ -140,8 +133,7 @@ void two_positions(const Settings& settings, lab::Findings& out) {
         }
     });
     std::printf("  omega = %g rad/s, h = %.5g s (omega h = %.4g)\n", settings.omega, h, wh);
-    std::printf("  Verlet and semi-implicit Euler, %ld steps: positions differ by %.1e m at most\n",
-                steps, worst);
+    std::printf("  Verlet and semi-implicit Euler, %ld steps: positions differ by %.1e m at most\n", steps, worst);
     out.number("omega", settings.omega, "rad/s", "angular frequency of the spring");
     out.number("rate", 1 / h, "Hz", "steps a second");
     out.number("wh", wh, "", "angular frequency times step");

@@ -26,9 +26,7 @@ public:
     }
     double seconds() const override { return 1 / rate; }
     // What the plane is like can be changed while they spin.
-    bool restarts(const live::Control& c) const override {
-        return &c != &rolling && &c != &spinning;
-    }
+    bool restarts(const live::Control& c) const override { return &c != &rolling && &c != &spinning; }
 
     void restart() override {
         const double lean = dropped ? 0.6 : 0.05;  // rad
@@ -77,25 +75,19 @@ public:
 
 private:
     static constexpr double width = 1.3, height = 1.5;  // of a capsule's place in the picture, m
-    static constexpr std::array names{no_gyroscopic.name, lagged_inertia.name,
-                                      implicit_gyroscopic.name, passive_gyroscopic.name,
-                                      calm_half_step.name};
+    static constexpr std::array names{no_gyroscopic.name, lagged_inertia.name, implicit_gyroscopic.name,
+                                      passive_gyroscopic.name, calm_half_step.name};
 
-    plane::Ground ground() const {
-        return {9.81, 0.5, rolling, arms == 0 ? plane::Arms::start : plane::Arms::middle};
-    }
+    plane::Ground ground() const { return {9.81, 0.5, rolling, arms == 0 ? plane::Arms::start : plane::Arms::middle}; }
     template <class Solver>
     void advance(const Solver& solver, int i) {
         if (!holds[i]) return;
         plane::Contacts contacts;
-        auto& [turning, x, v] = now[i] =
-            plane::step(solver, capsule, ground(), now[i], 1 / rate, contacts);
+        auto& [turning, x, v] = now[i] = plane::step(solver, capsule, ground(), now[i], 1 / rate, contacts);
         // Rolling resistance leaves the turning about the normal alone. Spinning resistance is the
         // same for that axis: it stops this turning, or takes off as much of it as the load allows.
-        const V by_one =
-            turning.q * capsule.inertia.velocity(turning.q.conjugate() * V::UnitZ());  // N m s
-        const double load = contacts.at[0].normal + contacts.at[1].normal,
-                     most = spinning * capsule.radius * load;
+        const V by_one = turning.q * capsule.inertia.velocity(turning.q.conjugate() * V::UnitZ());  // N m s
+        const double load = contacts.at[0].normal + contacts.at[1].normal, most = spinning * capsule.radius * load;
         turning.omega -= std::clamp(turning.omega.z() / by_one.z(), -most, most) * by_one;
     }
 
@@ -119,38 +111,29 @@ private:
             begin ? p.move(x + place.x(), y + place.y()) : p.line(x + place.x(), y + place.y());
         };
         p.ink("soft", 1, 0.6);
-        at(-half, -half, true), at(half, -half, false), at(half, half, false),
-            at(-half, half, false), p.fill();
+        at(-half, -half, true), at(half, -half, false), at(half, half, false), at(-half, half, false), p.fill();
         p.ink("exact", 1);
-        const auto first = [&](double middle) {
-            return std::ceil((middle - half) / gap) * gap - middle;
-        };
-        for (double east = first(centre.x()); east <= half; east += gap)
-            at(east, -half, true), at(east, half, false);
+        const auto first = [&](double middle) { return std::ceil((middle - half) / gap) * gap - middle; };
+        for (double east = first(centre.x()); east <= half; east += gap) at(east, -half, true), at(east, half, false);
         for (double north = first(centre.y()); north <= half; north += gap)
             at(-half, north, true), at(half, north, false);
         p.stroke();
     }
 
-    live::Choice dropped{this, "start", "at the start",
-                         "set on one end|dropped from half a metre, leaning"};
+    live::Choice dropped{this, "start", "at the start", "set on one end|dropped from half a metre, leaning"};
     live::Slider spin{this, "spin", "spin at the start", 5, 60, 1, 40, "rad/s"};
     live::Slider rolling{this, "rolling", "rolling resistance", 0, 0.3, 0.01, 0.1, "radii"};
     live::Slider spinning{this, "spinning", "spinning resistance", 0, 0.1, 0.005, 0, "radii"};
-    live::Choice arms{this, "arms", "lever arms",
-                      "start of the step, as engines do|middle of the step"};
+    live::Choice arms{this, "arms", "lever arms", "start of the step, as engines do|middle of the step"};
     live::Choice place{this, "place", "calm half-step",
                        "before the contacts|half before, half after|after the contacts", 2};
     live::Slider rate{this, "rate", "steps a second", 30, 240, 1, 60, "Hz"};
     // Under the names of the methods: the energy over that at the start.
-    live::Readout left[5] = {
-        {this, names[0]}, {this, names[1]}, {this, names[2]}, {this, names[3]}, {this, names[4]}};
-    live::Fuse holds[5] = {
-        {this, names[0]}, {this, names[1]}, {this, names[2]}, {this, names[3]}, {this, names[4]}};
+    live::Readout left[5] = {{this, names[0]}, {this, names[1]}, {this, names[2]}, {this, names[3]}, {this, names[4]}};
+    live::Fuse holds[5] = {{this, names[0]}, {this, names[1]}, {this, names[2]}, {this, names[3]}, {this, names[4]}};
 
     // 90 cm long, 30 cm thick, 1 kg.
-    const plane::Capsule<SymmetricInertia<double>> capsule{timestep::capsule(1.0, 0.15, 0.6), 1,
-                                                           0.15, 0.3};
+    const plane::Capsule<SymmetricInertia<double>> capsule{timestep::capsule(1.0, 0.15, 0.6), 1, 0.15, 0.3};
     std::array<plane::BodyState, 5> now{};
     live::Chart<5> spins{"spin |ω|, rad/s", 200}, energies{"energy, at the start 1", 1.6};
     double energy_at_start = 1;

@@ -34,8 +34,8 @@ const Block wing_nut[] = {
 PrincipalInertia<double> inertia_of_wing_nut() {
     V sum = V::Zero();
     for (const auto& [mass, c, sides] : wing_nut)
-        sum += box(mass, sides.x(), sides.y(), sides.z()).moments +
-               mass * (V::Constant(c.squaredNorm()) - c.cwiseAbs2());
+        sum +=
+            box(mass, sides.x(), sides.y(), sides.z()).moments + mass * (V::Constant(c.squaredNorm()) - c.cwiseAbs2());
     return {sum.x(), sum.y(), sum.z()};
 }
 
@@ -52,8 +52,7 @@ public:
     double seconds() const override { return 1 / rate; }
 
     void restart() override {
-        const Quaternion<double> upright =
-            Quaternion<double>(1, 1, 0, 0).normalized();  // the body's y axis points up
+        const Quaternion<double> upright = Quaternion<double>(1, 1, 0, 0).normalized();  // the body's y axis points up
         true_one = {0, upright, V(touch, spin, touch)};
         now.fill(in_world(true_one));
         energies.clear(), momenta.clear();
@@ -70,8 +69,7 @@ public:
             // As good as exact: many short steps of chapter 8's solver, which keeps energy and |L|.
             // In the body's axes: there a zero stays zero, and what spins about one axis alone
             // never turns over.
-            for (int n = 0; n < 100; ++n)
-                true_one = tumble<CalmHalfStep>.step(inertia, true_one, h / 100);
+            for (int n = 0; n < 100; ++n) true_one = tumble<CalmHalfStep>.step(inertia, true_one, h / 100);
             now[0] = in_world(true_one);
             now[1] = step_rotation(no_gyroscopic, inertia, now[1], h);
             if (holds[2]) now[2] = step_rotation(explicit_gyroscopic, inertia, now[2], h);
@@ -147,8 +145,7 @@ private:
     live::Fuse holds[6] = {{this, names[0]}, {this, names[1]}, {this, names[2]},
                            {this, names[3]}, {this, names[4]}, {this, names[5]}};
 
-    const PrincipalInertia<double> a_box = box(1.0, 1.0 / 3, 2.0 / 3, 1.0),
-                                   a_wing_nut = inertia_of_wing_nut(),
+    const PrincipalInertia<double> a_box = box(1.0, 1.0 / 3, 2.0 / 3, 1.0), a_wing_nut = inertia_of_wing_nut(),
                                    a_plank = box(1.0, 0.04, 0.3, 1.2);
     const SymmetricInertia<double> a_staff = staff(1.0, 1.3, 0.06);
     SpinState<double> true_one{};  // the exact body, in its axes

@@ -27,9 +27,7 @@ Q nlerp(const Q& q1, Q q2, double alpha) {
 }
 /// [nlerp]
 
-double off(const Q& p, const Q& q) {
-    return 2 * std::asin(std::min(1.0, apart(p, q) / 2)) / degree;
-}
+double off(const Q& p, const Q& q) { return 2 * std::asin(std::min(1.0, apart(p, q) / 2)) / degree; }
 
 }  // namespace
 
@@ -46,12 +44,10 @@ void between_steps(const Settings& settings, lab::Findings& out) {
         double worst = 0;
         for (int i = 0; i <= 200; ++i) {
             const double alpha = i / 200.0;
-            const Q truth =
-                q1 * Q(Eigen::AngleAxisd(alpha * turn * degree, V(2, -1, 2).normalized()));
+            const Q truth = q1 * Q(Eigen::AngleAxisd(alpha * turn * degree, V(2, -1, 2).normalized()));
             const Q mean = nlerp(q1, q2, alpha);
             worst = std::max(worst, off(mean, truth));
-            axis = std::max(axis,
-                            (q1.conjugate() * mean).vec().cross(V(2, -1, 2).normalized()).norm());
+            axis = std::max(axis, (q1.conjugate() * mean).vec().cross(V(2, -1, 2).normalized()).norm());
             if (i % 200 == 0) ends = std::max(ends, off(mean, truth));
             if (turn < 180) ends = std::max(ends, off(q1.slerp(alpha, q2), truth));
         }
@@ -99,14 +95,11 @@ void between_steps(const Settings& settings, lab::Findings& out) {
               "the way at a constant spin");
     out.check("nlerp_cube", std::fabs(order - 3) < 0.05 && turn_30 < 0.1,
               "nlerp's error falls with the cube of the turn");
-    out.check("slerp_no_better",
-              std::fabs(box_nlerp / box_60 - 1) < 0.01 && std::fabs(box_order - 2) < 0.2,
+    out.check("slerp_no_better", std::fabs(box_nlerp / box_60 - 1) < 0.01 && std::fabs(box_order - 2) < 0.2,
               "on a tumbling box slerp is off as much as nlerp, a quarter of the way between two "
               "steps, and that falls with the square of the turn");
-    out.check(
-        "long_way",
-        std::fabs(long_way - 180) < 1e-5 && off(nlerp(q1, minus, 0.5), nlerp(q1, q2, 0.5)) < 1e-5,
-        "with the other sign the mean of two orientations, half-way, is half a turn off, and "
-        "nlerp, which looks at the sign, "
-        "is not");
+    out.check("long_way", std::fabs(long_way - 180) < 1e-5 && off(nlerp(q1, minus, 0.5), nlerp(q1, q2, 0.5)) < 1e-5,
+              "with the other sign the mean of two orientations, half-way, is half a turn off, and "
+              "nlerp, which looks at the sign, "
+              "is not");
 }

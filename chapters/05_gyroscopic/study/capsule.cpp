@@ -30,8 +30,7 @@ double order_of_round(const Round& pill) {
     std::vector<double> h, error;
     for (long steps = 120; steps <= 960; steps *= 2) {
         V omega(5, 0, 20);
-        for (long n = 0; n < steps; ++n)
-            omega = passive_gyroscopic.step(pill, omega, 1.0 / double(steps));
+        for (long n = 0; n < steps; ++n) omega = passive_gyroscopic.step(pill, omega, 1.0 / double(steps));
         h.push_back(1.0 / double(steps));
         error.push_back((omega - V(5 * std::cos(angle), 5 * std::sin(angle), 20)).norm());
     }
@@ -48,17 +47,14 @@ void free_capsule(const Settings& settings, lab::Findings& out) {
     const double E0 = kinetic_energy(pill, start);
     const V L0 = angular_momentum(pill, start);
     const double order = order_of_round(pill);
-    out.number("passive_round_order", std::round(order), "",
-               "order of passive's ω, two moments equal");
+    out.number("passive_round_order", std::round(order), "", "order of passive's ω, two moments equal");
     out.check("passive_round_order", std::fabs(order - 4) < 0.05,
               "with two equal moments passive's ω is of order four");
-    std::printf("  I = %.4f across and %.4f along, omega = (5, 0, 20) rad/s, %g s\n", pill.across,
-                pill.along, seconds);
+    std::printf("  I = %.4f across and %.4f along, omega = (5, 0, 20) rad/s, %g s\n", pill.across, pill.along, seconds);
     std::printf("  (a run ends when it has a thousand times its energy)\n");
     std::printf("                               energy     |L|   L turned by   E > 1000 E0 at\n");
     for (const Solver& solver : solvers()) {
-        auto& table =
-            out.table("capsule_" + solver.key + ".tsv", {"t", "energy", "momentum", "turned"});
+        auto& table = out.table("capsule_" + solver.key + ".tsv", {"t", "energy", "momentum", "turned"});
         double most = 0, least = 1, off = 0, late = -1, energy = 1, length = 1;
         double moved = 0;
         spin_on(solver, pill, start, h, std::lround(seconds / h), [&](const RigidState<double>& s) {
@@ -74,15 +70,13 @@ void free_capsule(const Settings& settings, lab::Findings& out) {
         });
         char when[24] = "never";
         if (late > 0) std::snprintf(when, sizeof when, "%.2f s", late);
-        std::printf("  %-25s %10.4g %7.4g %9.1f deg   %s\n", solver.name.c_str(), energy, length,
-                    off, when);
+        std::printf("  %-25s %10.4g %7.4g %9.1f deg   %s\n", solver.name.c_str(), energy, length, off, when);
         const std::string id = "capsule_" + solver.key;
         out.number(id + "_energy", energy, "", "kinetic energy at the end over that at the start");
         out.number(id + "_momentum", length, "", "|L| at the end over that at the start");
         out.number(id + "_turned", off, "°", "the farthest that its angular momentum turned");
         if (solver.key == "explicit") {
-            out.number("capsule_blow_up", late, "s",
-                       "until explicit has a thousand times the energy");
+            out.number("capsule_blow_up", late, "s", "until explicit has a thousand times the energy");
             out.check("capsule_explicit_blows_up", late > 0,
                       "with the explicit term the capsule's energy passes a thousandfold");
         } else if (solver.key == "dropped") {
@@ -95,11 +89,9 @@ void free_capsule(const Settings& settings, lab::Findings& out) {
                       "without the term the angular momentum swings by more than 30 degrees");
         } else if (solver.key == "lagged_inertia") {
             // L is rotated there and back each step: some ε of it a step.
-            out.check("capsule_old_momentum", off < 1e-6,
-                      "with the lagged inertia the angular momentum stays");
-            out.check(
-                "capsule_old_energy", energy > 1.5,
-                "with the lagged inertia the capsule ends with more than 1.5 times its energy");
+            out.check("capsule_old_momentum", off < 1e-6, "with the lagged inertia the angular momentum stays");
+            out.check("capsule_old_energy", energy > 1.5,
+                      "with the lagged inertia the capsule ends with more than 1.5 times its energy");
         } else if (solver.key == "passive") {
             // A step keeps the energy to 8 ε, and going into the body's axes and back to as much
             // again. In n steps such errors add up like √n: to some 16 ε √600 = 9e-14 here, if they
@@ -108,8 +100,7 @@ void free_capsule(const Settings& settings, lab::Findings& out) {
                       "the passive step keeps a symmetric body's energy, to 1e-12 of it");
         } else {
             out.check(id + "_no_gain", most < 1 + 1e-12 && energy < 0.9,
-                      solver.name +
-                          ": the capsule is given no energy, and loses more than a tenth of it");
+                      solver.name + ": the capsule is given no energy, and loses more than a tenth of it");
         }
     }
     out.number("capsule_seconds", seconds, "s", "length of the capsule's run");
@@ -140,27 +131,22 @@ void uneven_capsule(const Settings& settings, lab::Findings& out) {
     const double h = settings.step, seconds = 10;
     out.text("uneven_start", "(0.5, 0, 20) rad/s", "spin at the start, the last along the length");
     out.number("uneven_seconds", seconds, "s", "length of these runs");
-    std::printf("  omega = (0.5, 0, 20) rad/s, its last component   after 1 s  after %g s\n",
-                seconds);
+    std::printf("  omega = (0.5, 0, 20) rad/s, its last component   after 1 s  after %g s\n", seconds);
     struct End {
         double second = 0, spin = 0, energy = 0, momentum = 0, flat = 0;
     };
-    const auto after = [&](const Solver& solver, const auto& inertia, double step,
-                           const char* what) {
-        const double E0 = kinetic_energy(inertia, start),
-                     L0 = angular_momentum(inertia, start).norm();
+    const auto after = [&](const Solver& solver, const auto& inertia, double step, const char* what) {
+        const double E0 = kinetic_energy(inertia, start), L0 = angular_momentum(inertia, start).norm();
         End end;
-        spin_on(solver, inertia, start, step, std::lround(seconds / step),
-                [&](const RigidState<double>& s) {
-                    const V w = s.q.conjugate() * s.omega;
-                    if (s.t < 1 + step / 2) end.second = w.z();
-                    end.spin = w.z(), end.energy = kinetic_energy(inertia, s) / E0;
-                    end.momentum = angular_momentum(inertia, s).norm() / L0;
-                    end.flat = std::hypot(w.x(), w.y());
-                    return true;
-                });
-        std::printf("  %-23s %-25s %7.2f %10.2f\n", solver.name.c_str(), what, end.second,
-                    end.spin);
+        spin_on(solver, inertia, start, step, std::lround(seconds / step), [&](const RigidState<double>& s) {
+            const V w = s.q.conjugate() * s.omega;
+            if (s.t < 1 + step / 2) end.second = w.z();
+            end.spin = w.z(), end.energy = kinetic_energy(inertia, s) / E0;
+            end.momentum = angular_momentum(inertia, s).norm() / L0;
+            end.flat = std::hypot(w.x(), w.y());
+            return true;
+        });
+        std::printf("  %-23s %-25s %7.2f %10.2f\n", solver.name.c_str(), what, end.second, end.spin);
         return end;
     };
     const double share = 2;  // per cent
@@ -176,8 +162,7 @@ void uneven_capsule(const Settings& settings, lab::Findings& out) {
                "passive: what is left after a second of the spin about the length");
     out.number("uneven_energy", passive.energy, "", "passive: energy left");
     out.number("uneven_momentum", passive.momentum, "", "passive: momentum left");
-    out.number("uneven_implicit", implicit.spin, "rad/s",
-               "one Newton step: spin about the length that is left");
+    out.number("uneven_implicit", implicit.spin, "rad/s", "one Newton step: spin about the length that is left");
     out.check("uneven_passive", std::fabs(passive.spin) < 0.1 && passive.flat > 1,
               "passive: a capsule with unequal moments across ends end over end, flat");
     out.check("uneven_quarter", std::fabs(quarter.spin) < 1,
@@ -193,8 +178,7 @@ void staff(const Settings& settings, lab::Findings& out) {
     out.section("A thrown staff");
     const auto stick = staff(1.0, 2.0, 0.06);
     const auto start = spinning(2, 0, 10);
-    const ExactFreeBody<double> exact(
-        PrincipalInertia<double>(stick.across, stick.across, stick.along), start);
+    const ExactFreeBody<double> exact(PrincipalInertia<double>(stick.across, stick.across, stick.along), start);
     const double h = settings.step;
     const long steps = std::lround(4 / h);
     const V L0 = angular_momentum(stick, start);
@@ -216,27 +200,23 @@ void staff(const Settings& settings, lab::Findings& out) {
             of.row({s.t, tip.x(), tip.y(), tip.z()});
             return true;
         });
-        std::printf("  %-9s L turns by up to %6.2f deg, the tip is off by up to %.3f m\n",
-                    solver.name.c_str(), off, miss);
+        std::printf("  %-9s L turns by up to %6.2f deg, the tip is off by up to %.3f m\n", solver.name.c_str(), off,
+                    miss);
         out.number("staff_" + solver.key + "_miss", miss, "m", "the farthest that the tip was off");
         return miss;
     };
     const double dropped = path(solver("dropped")), passive = path(solver("passive"));
     const auto after = solver("dropped").turn(stick, start, h);
     const double without = turn_rate(start, after, start.omega.normalized());
-    std::printf("  its axis turns with %.2f rad/s in truth, with %.2f rad/s without the term\n",
-                truth, without);
+    std::printf("  its axis turns with %.2f rad/s in truth, with %.2f rad/s without the term\n", truth, without);
     out.text("staff_size", "2 m long and 0.06 m thick", "the staff");
-    out.text("staff_start", "10 rad/s about its length and 2 rad/s across",
-             "its spin at the start");
+    out.text("staff_start", "10 rad/s about its length and 2 rad/s across", "its spin at the start");
     out.number("staff_rate", truth, "rad/s", "how fast the staff's axis goes round, exactly");
-    out.number("staff_rate_dropped", without, "rad/s",
-               "how fast the staff's axis goes round without the term");
+    out.number("staff_rate_dropped", without, "rad/s", "how fast the staff's axis goes round without the term");
     out.check("staff_spins_too_much", without > 2 * truth,
               "without the term the staff's axis goes round more than twice too fast");
     // Order one: of the half length of 1 m, about half of h|ω| = 0.17.
-    out.check(
-        "staff_passive_close", passive < 0.1 && dropped > 1,
-        "with the passive step the tip stays within 0.1 m of the exact path; without the term "
-        "it is off by more than 1 m");
+    out.check("staff_passive_close", passive < 0.1 && dropped > 1,
+              "with the passive step the tip stays within 0.1 m of the exact path; without the term "
+              "it is off by more than 1 m");
 }

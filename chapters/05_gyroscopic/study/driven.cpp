@@ -55,9 +55,7 @@ RigidState<double> reference(long steps) {
 }
 
 // The angle between two orientations, rad.
-double angle(const Quaternion<double>& a, const Quaternion<double>& b) {
-    return a.angularDistance(b);
-}
+double angle(const Quaternion<double>& a, const Quaternion<double>& b) { return a.angularDistance(b); }
 
 }  // namespace
 
@@ -76,20 +74,16 @@ void driven_body(const Settings&, lab::Findings& out) {
         for (long rate = 60; rate <= 1920; rate *= 2) {
             const double h = 1.0 / static_cast<double>(rate);
             RigidState<double> s = start();
-            for (long n = 0; n < std::lround(seconds) * rate; ++n)
-                s = solver.turn(inertia, s, motor(s.t), h);
+            for (long n = 0; n < std::lround(seconds) * rate; ++n) s = solver.turn(inertia, s, motor(s.t), h);
             const double error = angle(s.q, exact.q);
             table.row({h, error, (s.omega - exact.omega).norm()});
             steps.push_back(h);
             errors.push_back(error);
         }
-        const double order =
-            measured_order({steps.end() - 3, steps.end()}, {errors.end() - 3, errors.end()});
-        out.number("driven_" + key + "_order", order, "",
-                   name + ": order of the driven box's orientation", 2);
+        const double order = measured_order({steps.end() - 3, steps.end()}, {errors.end() - 3, errors.end()});
+        out.number("driven_" + key + "_order", order, "", name + ": order of the driven box's orientation", 2);
         out.number("driven_" + key + "_error", errors.front(), "rad", name + ": error at 60 Hz", 2);
-        std::printf("%-24s %10.3f %10.4f %10.2f\n", name.c_str(), errors.front(), errors.back(),
-                    order);
+        std::printf("%-24s %10.3f %10.4f %10.2f\n", name.c_str(), errors.front(), errors.back(), order);
         least = std::min(least, errors.front());
         if (key == "passive") of_passive = errors.front();
         if (key == "dropped") of_dropped = errors.front();
@@ -108,6 +102,5 @@ void driven_body(const Settings&, lab::Findings& out) {
     out.number("driven_torque", pushed, "N m", "the motor's largest torque", 2);
     out.check("driven_reference", doubt < 1e-10, "the driven box's reference is right to 1e-10");
     // error = C h + D h²: D/C of the order of the rates here, below 10 per s, so within 10/480.
-    out.check("driven_order", order_one,
-              "superposition: all but the dropped term are of order one");
+    out.check("driven_order", order_one, "superposition: all but the dropped term are of order one");
 }

@@ -37,19 +37,16 @@ void tumbling(lab::Findings& out) {
     now.fill(start);
 
     picture::Film film(out, "tumbling.tsv");
-    auto& captions =
-        out.table("tumbling_captions.tsv", {"t", "exact", "dropped", "implicit", "passive"});
+    auto& captions = out.table("tumbling_captions.tsv", {"t", "exact", "dropped", "implicit", "passive"});
     const V origin(0, 0, 0);
     constexpr int frames = 150, steps = 4;
-    std::array<std::vector<double>, 4>
-        flips;  // the times at which the spin about the middle axis turns over
+    std::array<std::vector<double>, 4> flips;  // the times at which the spin about the middle axis turns over
     std::array<double, 4> before{};
     for (int frame = 0; frame < frames; ++frame) {
         std::vector<lab::Cell> caption{words("t = %.1f s", frame * steps / rate)};
         for (int i = 0; i < 4; ++i) {
             film.body(faces, now[i].q, origin, origin, 1.26 * (i - 1.5));
-            caption.push_back(words(
-                "E = %.2f", kinetic_energy(inertia, now[i]) / kinetic_energy(inertia, start)));
+            caption.push_back(words("E = %.2f", kinetic_energy(inertia, now[i]) / kinetic_energy(inertia, start)));
         }
         film.frame_ends();
         captions.row(caption);
@@ -70,15 +67,13 @@ void tumbling(lab::Findings& out) {
     const char* names[] = {"exact", "dropped", "implicit", "passive"};
     for (int i = 0; i < 4; ++i) {
         const std::string name = names[i];
-        out.number("tumbling_" + name + "_energy",
-                   kinetic_energy(inertia, now[i]) / kinetic_energy(inertia, start), "",
+        out.number("tumbling_" + name + "_energy", kinetic_energy(inertia, now[i]) / kinetic_energy(inertia, start), "",
                    name + ": energy at the end of the film over that at its start", 2);
     }
     const V last = now[3].q.conjugate() * now[3].omega;
     out.check(
         "tumbling_film",
-        flips[0].size() == 3 && flips[2].size() == 3 && flips[1].empty() &&
-            std::fabs(flips[0][2] - flips[2][2]) < 0.1,
+        flips[0].size() == 3 && flips[2].size() == 3 && flips[1].empty() && std::fabs(flips[0][2] - flips[2][2]) < 0.1,
         "in the film the implicit box flips when the exact one does, and the dropped one never");
     out.check("tumbling_passive", flips[3].size() > 3 && std::fabs(last.x()) > 0.99 * last.norm(),
               "in the film the passive box ends up spinning about its shortest side");
@@ -109,10 +104,8 @@ void on_plane(lab::Findings& out) {
                 continue;
             }
             std::vector<V> shade;
-            for (int k = 0; k < 36;
-                 ++k) {  // the outline of two discs: each point is of the further one
-                const V out_there(std::cos(picture::degrees(10 * k)),
-                                  std::sin(picture::degrees(10 * k)), 0);
+            for (int k = 0; k < 36; ++k) {  // the outline of two discs: each point is of the further one
+                const V out_there(std::cos(picture::degrees(10 * k)), std::sin(picture::degrees(10 * k)), 0);
                 const V e = body.end(m.turning.q, 0), f = e.dot(out_there) > 0 ? e : V(-e);
                 shade.push_back(V(m.x.x() + f.x(), m.x.y() + f.y(), 0) + body.radius * out_there);
             }
@@ -131,8 +124,7 @@ void on_plane(lab::Findings& out) {
         advance("dropped", 1);
         advance("passive", 2);
     }
-    out.check("capsule_film",
-              lost[0] && now[1].turning.omega.norm() > 10 && now[2].turning.omega.norm() < 0.01,
+    out.check("capsule_film", lost[0] && now[1].turning.omega.norm() > 10 && now[2].turning.omega.norm() < 0.01,
               "in the film the explicit capsule is lost, the dropped one spins, the passive one "
               "lies still");
 }

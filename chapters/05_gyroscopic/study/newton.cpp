@@ -47,8 +47,7 @@ void newton(const Settings&, lab::Findings& out) {
     const double d = 1e-4;
     for (int i = 0; i < 3; ++i) {
         const V e = V::Unit(i) * d;
-        const V difference =
-            (residual(I, omega, omega + e, 1) - residual(I, omega, omega - e, 1)) / (2 * d);
+        const V difference = (residual(I, omega, omega + e, 1) - residual(I, omega, omega - e, 1)) / (2 * d);
         worst = std::max(worst, (difference - jacobian(I, omega, 1).col(i)).norm() / I.norm());
     }
     std::printf("  the Jacobian differs from a difference by %.1e\n", worst);
@@ -64,16 +63,13 @@ void newton(const Settings&, lab::Findings& out) {
         });
     // A search that is over leaves "-", which gnuplot does not draw.
     const auto cell = [](double r) { return std::isnan(r) ? lab::Cell("-") : lab::Cell(r); };
-    for (int n = 0; n < 7; ++n)
-        table.row({double(n), cell(left[0][n]), cell(left[1][n]), cell(left[2][n])});
-    std::printf("  residual after iterations 0 to 3 at h|omega| = 0.1: %.1e %.1e %.1e %.1e\n",
-                left[0][0], left[0][1], left[0][2], left[0][3]);
+    for (int n = 0; n < 7; ++n) table.row({double(n), cell(left[0][n]), cell(left[1][n]), cell(left[2][n])});
+    std::printf("  residual after iterations 0 to 3 at h|omega| = 0.1: %.1e %.1e %.1e %.1e\n", left[0][0], left[0][1],
+                left[0][2], left[0][3]);
     for (int n = 0; n < 3; ++n)
-        out.number("newton_left_" + std::to_string(n), left[0][n], "",
-                   "residual after that many iterations", 2);
+        out.number("newton_left_" + std::to_string(n), left[0][n], "", "residual after that many iterations", 2);
     // Quadratic: the residual after a round is a constant times the square of that before it.
-    const double first = left[0][1] / (left[0][0] * left[0][0]),
-                 second = left[0][2] / (left[0][1] * left[0][1]);
+    const double first = left[0][1] / (left[0][0] * left[0][0]), second = left[0][2] / (left[0][1] * left[0][1]);
     out.number("newton_of_square", std::sqrt(first * second), "",
                "what an iteration leaves, over the residual's square", 1);
     out.check("newton_quadratic", second < 2 * first && first < 2 * second,
@@ -81,8 +77,8 @@ void newton(const Settings&, lab::Findings& out) {
               "times");
 
     // Random boxes: rounds needed, and how often they do not suffice.
-    auto& needed = out.table("newton_rounds.tsv", {"$h\\lvert\\omega\\rvert$", "iterations, median",
-                                                   "iterations, largest", "not found"});
+    auto& needed = out.table("newton_rounds.tsv",
+                             {"$h\\lvert\\omega\\rvert$", "iterations, median", "iterations, largest", "not found"});
     RandomBody random(1);
     double missed_at_3 = 0;
     for (const double size : {0.01, 0.1, 0.3, 1.0, 3.0}) {
@@ -90,19 +86,17 @@ void newton(const Settings&, lab::Findings& out) {
         int missed = 0;
         for (int i = 0; i < 2000; ++i) {
             const auto inertia = random.inertia(1000);
-            const int n =
-                rounds(inertia.moments.asDiagonal(), random.direction(), size, [](int, double) {});
+            const int n = rounds(inertia.moments.asDiagonal(), random.direction(), size, [](int, double) {});
             n == 50 ? void(++missed) : counts.push_back(n);
         }
         std::sort(counts.begin(), counts.end());
         char share[16];
         std::snprintf(share, sizeof share, "%.2g %%", 100.0 * missed / 2000);
-        needed.row(
-            {size, double(counts[counts.size() / 2]), double(counts.back()), std::string(share)});
+        needed.row({size, double(counts[counts.size() / 2]), double(counts.back()), std::string(share)});
         if (size == 3.0) missed_at_3 = 100.0 * missed / 2000;
     }
-    out.number("newton_missed", missed_at_3, "%",
-               "random bodies for which plain Newton-Raphson fails at h|omega| = 3", 2);
+    out.number("newton_missed", missed_at_3, "%", "random bodies for which plain Newton-Raphson fails at h|omega| = 3",
+               2);
     out.check("newton_misses", missed_at_3 > 0.5,
               "plain Newton-Raphson misses the root of some bodies at h|omega| = 3");
 
@@ -111,10 +105,9 @@ void newton(const Settings&, lab::Findings& out) {
     double apart = 0;
     for (int i = 0; i < 1000; ++i) {
         const V w = random.direction() * 60;
-        const V one = implicit_gyroscopic.step(pill, w, 1.0 / 60),
-                all = converged_gyroscopic.step(pill, w, 1.0 / 60);
-        const V general = converged_gyroscopic.step(
-            PrincipalInertia<double>(pill.across, pill.across, pill.along), w, 1.0 / 60);
+        const V one = implicit_gyroscopic.step(pill, w, 1.0 / 60), all = converged_gyroscopic.step(pill, w, 1.0 / 60);
+        const V general =
+            converged_gyroscopic.step(PrincipalInertia<double>(pill.across, pill.across, pill.along), w, 1.0 / 60);
         apart = std::max({apart, (one - all).norm() / 60, (one - general).norm() / 60});
     }
     out.check("capsule_one_round", apart < 1e-12, "for a capsule one iteration is the solution");

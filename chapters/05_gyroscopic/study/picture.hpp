@@ -40,15 +40,13 @@ struct Camera {
 // One film: polygons frame by frame, a blank line after each and two after the last of a frame.
 class Film {
 public:
-    Film(lab::Findings& out, const std::string& file)
-        : table_(out.table(file, {"x", "y", "paint"})) {}
+    Film(lab::Findings& out, const std::string& file) : table_(out.table(file, {"x", "y", "paint"})) {}
 
     void polygon(const std::vector<V>& corners, const V& origin, double shift, int paint) {
         if (started_) table_.gap();
         started_ = true;
         for (const V& c : corners)
-            table_.row({digits((c - origin).x() + shift), digits(camera_.up().dot(c - origin)),
-                        double(paint)});
+            table_.row({digits((c - origin).x() + shift), digits(camera_.up().dot(c - origin)), double(paint)});
     }
     void frame_ends() {
         table_.gap();
@@ -57,8 +55,7 @@ public:
     }
 
     // A body at `x`, drawn where `origin` is the middle of its panel.
-    void body(const std::vector<Face>& faces, const Orientation& q, const V& x, const V& origin,
-              double shift) {
+    void body(const std::vector<Face>& faces, const Orientation& q, const V& x, const V& origin, double shift) {
         const V light = V(-0.5, -0.6, 0.8).normalized();
         for (const Face& face : faces) {
             const V a = face.corners[1] - face.corners[0], b = face.corners[2] - face.corners[1];
@@ -80,11 +77,9 @@ public:
         const double x = origin.x(), y = origin.y(), thin = half / 150;
         strip(x - half, x + half, y - half, y + half, ground);
         for (double k = std::ceil((x - half) / spacing) * spacing; k <= x + half; k += spacing)
-            strip(std::max(k - thin, x - half), std::min(k + thin, x + half), y - half, y + half,
-                  line);
+            strip(std::max(k - thin, x - half), std::min(k + thin, x + half), y - half, y + half, line);
         for (double k = std::ceil((y - half) / spacing) * spacing; k <= y + half; k += spacing)
-            strip(x - half, x + half, std::max(k - 2 * thin, y - half),
-                  std::min(k + 2 * thin, y + half), line);
+            strip(x - half, x + half, std::max(k - 2 * thin, y - half), std::min(k + 2 * thin, y + half), line);
     }
 
 private:
@@ -118,8 +113,8 @@ inline std::vector<Face> capsule(double radius, double half_length) {
         profile.push_back({radius * std::sin(degrees(90.0 * i / rings)),
                            -half_length - radius * std::cos(degrees(90.0 * i / rings))});
     for (int i = 0; i <= rings; ++i)
-        profile.push_back({radius * std::cos(degrees(90.0 * i / rings)),
-                           half_length + radius * std::sin(degrees(90.0 * i / rings))});
+        profile.push_back(
+            {radius * std::cos(degrees(90.0 * i / rings)), half_length + radius * std::sin(degrees(90.0 * i / rings))});
     const auto at = [&](std::size_t i, int sector) {
         const double phi = degrees(360.0 * sector / sectors);
         return V(profile[i][0] * std::cos(phi), profile[i][0] * std::sin(phi), profile[i][1]);
@@ -131,9 +126,7 @@ inline std::vector<Face> capsule(double radius, double half_length) {
             std::vector<V> corners{at(i, s + 1), at(i + 1, s + 1), at(i + 1, s), at(i, s)};
             if (i == 0) corners.pop_back();
             if (i + 2 == profile.size()) corners.erase(corners.begin() + 1);
-            const int paint = i + 2 >= profile.size() - 1 ? third
-                              : s < sectors / 2           ? first
-                                                          : second;
+            const int paint = i + 2 >= profile.size() - 1 ? third : s < sectors / 2 ? first : second;
             faces.push_back({corners, paint});
         }
     return faces;

@@ -20,9 +20,7 @@ namespace plane = timestep::plane;
 // Calls `use(key, name, solver)` for each; the key is that of style.gp.
 template <class Use>
 void for_each_variant(const Use& use) {
-    const auto one = [&](const std::string& key, const auto& solver) {
-        use(key, solver.name, solver);
-    };
+    const auto one = [&](const std::string& key, const auto& solver) { use(key, solver.name, solver); };
     one("explicit", timestep::explicit_gyroscopic);
     one("dropped", timestep::no_gyroscopic);
     one("lagged_inertia", timestep::lagged_inertia);
@@ -38,9 +36,7 @@ inline plane::Capsule<timestep::SymmetricInertia<double>> capsule() {
     return {timestep::capsule(1.0, 0.15, 0.6), 1.0, 0.15, 0.3};
 }
 
-inline plane::Capsule<timestep::UniformInertia<double>> ball() {
-    return {timestep::sphere(1.0, 0.15), 1.0, 0.15, 0.0};
-}
+inline plane::Capsule<timestep::UniformInertia<double>> ball() { return {timestep::sphere(1.0, 0.15), 1.0, 0.15, 0.0}; }
 
 inline plane::Ground ground(double rolling, plane::Arms arms = plane::Arms::middle) {
     return {9.81, 0.5, rolling, arms};

@@ -18,10 +18,8 @@ struct PlaneSolver {
 
     std::string key;   // in the data files and numbers; that of style.gp
     std::string name;  // in tables
-    BodyState (*step_pill)(const Pill&, const plane::Ground&, const BodyState&, double h,
-                           plane::Contacts&);
-    BodyState (*step_ball)(const Ball&, const plane::Ground&, const BodyState&, double h,
-                           plane::Contacts&);
+    BodyState (*step_pill)(const Pill&, const plane::Ground&, const BodyState&, double h, plane::Contacts&);
+    BodyState (*step_ball)(const Ball&, const plane::Ground&, const BodyState&, double h, plane::Contacts&);
 
     BodyState step(const Pill& body, const plane::Ground& ground, const BodyState& m, double h,
                    plane::Contacts& contacts) const {
@@ -34,6 +32,6 @@ struct PlaneSolver {
 };
 const std::vector<PlaneSolver>& plane_solvers();          // all, in the order of the course
 const PlaneSolver& plane_solver(const std::string& key);  // explicit, dropped, …, passive
-const PlaneSolver& passive_after_contacts();  // the passive step between the contacts and the turn
+const PlaneSolver& passive_after_contacts();              // the passive step between the contacts and the turn
 
 }  // namespace scene

@@ -36,28 +36,21 @@ struct Solver {
     State (*drive_box)(const Box&, const State&, const V& torque, double h);
 
     // One step of `h` seconds, without a torque from outside and with one.
-    State turn(const Box& inertia, const State& s, double h) const {
-        return turn_box(inertia, s, h);
-    }
-    State turn(const Round& inertia, const State& s, double h) const {
-        return turn_round(inertia, s, h);
-    }
+    State turn(const Box& inertia, const State& s, double h) const { return turn_box(inertia, s, h); }
+    State turn(const Round& inertia, const State& s, double h) const { return turn_round(inertia, s, h); }
     State turn(const Box& inertia, const State& s, const V& torque, double h) const {
         return drive_box(inertia, s, torque, h);
     }
 };
-const std::vector<Solver>& solvers();  // all, in the order in which the course meets them
-const Solver& solver(
-    const std::string& key);  // explicit, dropped, lagged_inertia, implicit, converged, passive
+const std::vector<Solver>& solvers();          // all, in the order in which the course meets them
+const Solver& solver(const std::string& key);  // explicit, dropped, lagged_inertia, implicit, converged, passive
 
 // Compiled there, too.
 extern template class timestep::ExactFreeBody<double>;
 extern template double timestep::kinetic_energy(const Box&, const timestep::RigidState<double>&);
 extern template double timestep::kinetic_energy(const Round&, const timestep::RigidState<double>&);
-extern template timestep::Vector3<double> timestep::angular_momentum(
-    const Box&, const timestep::RigidState<double>&);
-extern template timestep::Vector3<double> timestep::angular_momentum(
-    const Round&, const timestep::RigidState<double>&);
+extern template timestep::Vector3<double> timestep::angular_momentum(const Box&, const timestep::RigidState<double>&);
+extern template timestep::Vector3<double> timestep::angular_momentum(const Round&, const timestep::RigidState<double>&);
 
 // A body at rest in its own axes, turning with `omega`, rad/s.
 inline timestep::RigidState<double> spinning(double x, double y, double z) {
@@ -67,8 +60,7 @@ inline timestep::RigidState<double> spinning(double x, double y, double z) {
 // Steps `inertia` from `start`, and calls observe(state) with the start and after each step until
 // it returns false.
 template <class Inertia>
-void spin_on(const Solver& solver, const Inertia& inertia, timestep::RigidState<double> state,
-             double h, long steps,
+void spin_on(const Solver& solver, const Inertia& inertia, timestep::RigidState<double> state, double h, long steps,
              const std::function<bool(const timestep::RigidState<double>&)>& observe) {
     for (long n = 0; observe(state) && n < steps; ++n) state = solver.turn(inertia, state, h);
 }

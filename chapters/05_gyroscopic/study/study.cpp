@@ -9,8 +9,7 @@ int main(int argc, char** argv) {
     const lab::Rule spin{[](double w) { return w >= 1 && w <= 100; }, "from 1 to 100"};
     const lab::Rule tilt{[](double w) { return w > 0 && w <= 1; }, "above zero and at most 1"};
     program.option("--step", settings.step, step, "time step, s");
-    program.option("--spin", settings.spin, spin,
-                   "spin of the box about its intermediate axis, rad/s");
+    program.option("--spin", settings.spin, spin, "spin of the box about its intermediate axis, rad/s");
     program.option("--tilt", settings.tilt, tilt, "its spin about the other two, rad/s");
     return program.run(argc, argv, [&](lab::Findings& out) {
         torque(settings, out);

@@ -13,9 +13,7 @@ namespace {
 
 using V = Vector3<double>;
 
-double degrees_between(const V& a, const V& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / pi;
-}
+double degrees_between(const V& a, const V& b) { return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / pi; }
 
 // The angle between two orientations, rad.
 double angle_between(const Quaternion<double>& a, const Quaternion<double>& b) {
@@ -31,17 +29,16 @@ void torque(const Settings&, lab::Findings& out) {
     const auto dice = cube(mass, 2.0);
     const V omega(1, 2, 2);
     const V L = brick.momentum(omega);
-    std::printf("  a box of 12 kg, 1 x 2 x 3 m: I = (%g, %g, %g) kg m^2\n", brick.moments.x(),
-                brick.moments.y(), brick.moments.z());
-    std::printf("  omega = (1, 2, 2) rad/s: L = (%g, %g, %g), %.1f degrees off omega\n", L.x(),
-                L.y(), L.z(), degrees_between(omega, L));
-    std::printf("  torque -omega x L = (%g, %g, %g) N m\n", -omega.cross(L).x(),
-                -omega.cross(L).y(), -omega.cross(L).z());
+    std::printf("  a box of 12 kg, 1 x 2 x 3 m: I = (%g, %g, %g) kg m^2\n", brick.moments.x(), brick.moments.y(),
+                brick.moments.z());
+    std::printf("  omega = (1, 2, 2) rad/s: L = (%g, %g, %g), %.1f degrees off omega\n", L.x(), L.y(), L.z(),
+                degrees_between(omega, L));
+    std::printf("  torque -omega x L = (%g, %g, %g) N m\n", -omega.cross(L).x(), -omega.cross(L).y(),
+                -omega.cross(L).z());
     const V cube_L = dice.momentum(omega);
     std::printf("  a cube of 12 kg, 2 m: L is %.1f degrees off omega, the torque %g N m\n",
                 degrees_between(omega, cube_L), omega.cross(cube_L).norm());
-    out.number("box_angle", degrees_between(omega, L), "°",
-               "between angular velocity and momentum of the box");
+    out.number("box_angle", degrees_between(omega, L), "°", "between angular velocity and momentum of the box");
     out.text("box_omega", "(1, 2, 2) rad/s", "the spin with that angle");
     out.check("cube_no_torque", omega.cross(cube_L).norm() == 0, "a cube has no gyroscopic torque");
 
@@ -66,8 +63,7 @@ void torque(const Settings&, lab::Findings& out) {
     }
     out.number("torque_mass", mass, "kg", "mass of the box and of the cube");
     out.number("torque_spin", spin, "rad/s", "the length of ω as it is turned");
-    out.check("box_torque_off_axis", largest > 1,
-              "the box has a torque where it spins between its axes");
+    out.check("box_torque_off_axis", largest > 1, "the box has a torque where it spins between its axes");
 
     // The exact solution, put into the equation it claims to solve.
     const auto exact = ExactFreeBody<double>(brick, spinning(1, 2, 2));
@@ -79,8 +75,7 @@ void torque(const Settings&, lab::Findings& out) {
         worst = std::max(worst, rest.norm() / (w.norm() * Lb.norm()));
     }
     std::printf("  the exact motion leaves %.1e of Euler's equations\n", worst);
-    out.number("exact_residual", worst, "",
-               "what the exact motion leaves of Euler's equations, relative", 1);
+    out.number("exact_residual", worst, "", "what the exact motion leaves of Euler's equations, relative", 1);
     out.check("exact_solves", worst < 1e-12, "the exact motion obeys Euler's equations");
 }
 
@@ -111,16 +106,13 @@ void orientation(const Settings&, lab::Findings& out) {
     }
     const double order = measured_order(h, error);
     std::printf("  after a second the orientation is off with order %.2f in the step\n", order);
-    out.number("orientation_price", price, "",
-               "error of the passive step over that of one Newton step", 2);
+    out.number("orientation_price", price, "", "error of the passive step over that of one Newton step", 2);
     out.number("orientation_order", order, "", "measured order of the orientation");
     out.check("orientation_order", std::fabs(order - 1) < 0.1, "the orientation is of order one");
     // A quarter turn about z, and a spin along the body's x: that is the world's y.
     const Quaternion<double> quarter(Eigen::AngleAxisd(std::acos(0.0), Eigen::Vector3d::UnitZ()));
     const Quaternion<double> along_x(0, 1, 0, 0);  // (0, ω), ω in the axes of the body
-    const auto axis = [&](const Quaternion<double>& rate) {
-        return (rate * quarter.conjugate()).vec().eval();
-    };
+    const auto axis = [&](const Quaternion<double>& rate) { return (rate * quarter.conjugate()).vec().eval(); };
     out.check("wrong_side",
               (axis(quarter * along_x) - Eigen::Vector3d::UnitY()).norm() < 1e-15 &&
                   (axis(along_x * quarter) - Eigen::Vector3d::UnitX()).norm() < 1e-15,
@@ -128,6 +120,5 @@ void orientation(const Settings&, lab::Findings& out) {
               "about the world's y, as it "
               "should, that on the left about the world's x");
     // Scaling rounds four squares, a sum, a root and a quotient: a few ε.
-    out.check("orientation_norm", norm_off < 8 * 2.3e-16,
-              "the quaternion's length stays one, to roundoff");
+    out.check("orientation_norm", norm_off < 8 * 2.3e-16, "the quaternion's length stays one, to roundoff");
 }

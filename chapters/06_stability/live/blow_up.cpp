@@ -34,14 +34,11 @@ struct Run {
         : name(method.name), off{panel, name, "% off"}, holds{panel, name}, limit([](double zeta) {
               return stability_limit(Method{}, zeta).value;
           }) {}
-    double drawn_limit(double zeta) const {
-        return static_cast<float>(limit(zeta));
-    }  // std::hypot's last bit varies
+    double drawn_limit(double zeta) const { return static_cast<float>(limit(zeta)); }  // std::hypot's last bit varies
     bool has_limit() const { return std::isfinite(limit(0)); }
 
     const char* name;
-    live::Readout
-        off;  // under the method's name: how far from the truth it was in the first period
+    live::Readout off;  // under the method's name: how far from the truth it was in the first period
     live::Fuse holds;
     double (*limit)(double zeta);  // the longest stable ωh
     char verdict[48] = "";
@@ -52,8 +49,7 @@ struct Run {
 
 // Two steps in one.
 inline StepMatrix<double> twice(const StepMatrix<double>& a) {
-    return {a.xx * a.xx + a.xv * a.vx, a.xx * a.xv + a.xv * a.vv, a.vx * a.xx + a.vv * a.vx,
-            a.vx * a.xv + a.vv * a.vv};
+    return {a.xx * a.xx + a.xv * a.vx, a.xx * a.xv + a.xv * a.vv, a.vx * a.xx + a.vv * a.vx, a.vx * a.xv + a.vv * a.vv};
 }
 
 class BlowUp : public live::Panel {
@@ -67,8 +63,7 @@ public:
         // What the map and the plane cannot show they tell.
         std::snprintf(outside[0], sizeof outside[0], "→ ζ = %.3g", zeta.value);
         std::snprintf(outside[1], sizeof outside[1], "↑ ωh = %.3g", s);
-        const double real = zeta.value * s, apart = real * real - s * s,
-                     root = std::sqrt(std::fabs(apart));
+        const double real = zeta.value * s, apart = real * real - s * s, root = std::sqrt(std::fabs(apart));
         const double left = real + (apart > 0 ? root : 0), up = apart > 0 ? 0 : root;
         outside[2][0] = '\0';
         if (left > 5.1 && apart > 0)
@@ -80,8 +75,7 @@ public:
             run.now = {0, 1, 0}, run.off = 0;  // let go at rest, a metre from its place
         }
         // We show six periods, or 60 steps; of many short steps only some.
-        const double period = 2 * 3.14159265358979 / s,
-                     steps_shown = std::fmax(60, 6 * period);  // in steps
+        const double period = 2 * 3.14159265358979 / s, steps_shown = std::fmax(60, 6 * period);  // in steps
         stride = static_cast<int>(std::ceil(steps_shown / most_samples));
         shown = std::min(most_samples, static_cast<std::size_t>(steps_shown));
         // The true motion goes on between the steps. Where it swings too fast to be drawn we fill
@@ -91,8 +85,7 @@ public:
         swings = omega_damped * h / (2 * 3.14159265358979);
         // As advise does, we compare the first period with the truth (beyond ζ = 1 that of the slow
         // decay), and where fewer than three steps fit into it, eight steps.
-        const double slow =
-            zeta.value < 1 ? 1 : 1 / (zeta.value + std::sqrt(zeta.value * zeta.value - 1));
+        const double slow = zeta.value < 1 ? 1 : 1 / (zeta.value + std::sqrt(zeta.value * zeta.value - 1));
         compared = period / slow < 3 ? 8 : static_cast<long>(period / slow);
         // The exact motion without a sine: Runge-Kutta 4 with a millionth of the step, doubled
         // twenty times.
@@ -112,9 +105,7 @@ public:
         if (!p.narrow) draw_plane(p);
     }
     // The dot on the map: sideways it sets the damper, upwards the rate.
-    bool grab(double x, double y) override {
-        return std::fabs(x - dot_x()) < 0.2 && std::fabs(y - dot_y()) < 0.5;
-    }
+    bool grab(double x, double y) override { return std::fabs(x - dot_x()) < 0.2 && std::fabs(y - dot_y()) < 0.5; }
     void drag(double x, double y) override {
         set(c, 2 * std::clamp(x, 0.0, 2.0) * std::sqrt(k * m));
         set(rate, spring().omega / std::clamp(y, 0.05, 5.0));
@@ -128,14 +119,11 @@ private:
 
     // The verdict, and the rate at which it changes: short, for a phone.
     static void say(Run& run, Verdict verdict, double at) {
-        const char* where = verdict == Verdict::stable  ? "≥"
-                            : verdict == Verdict::grows ? "<"
-                                                        : "at";
+        const char* where = verdict == Verdict::stable ? "≥" : verdict == Verdict::grows ? "<" : "at";
         const char* form = !std::isfinite(at) || at == 0 ? "%s at every rate"
                            : at < 1000                   ? "%s %s %.4g Hz"
                                                          : "%s %s %.4g kHz";
-        std::snprintf(run.verdict, sizeof run.verdict, form, words(verdict), where,
-                      at < 1000 ? at : at / 1000);
+        std::snprintf(run.verdict, sizeof run.verdict, form, words(verdict), where, at < 1000 ? at : at / 1000);
     }
     void one_step() {
         const auto step_one = [this, damped = spring()](const auto& method, Run& run) {
@@ -144,11 +132,9 @@ private:
             if constexpr (requires { method.step(damped, last, h); })
                 run.now = method.step(damped, last, h);
             else
-                run.now = taken == 1 ? method.start(damped, last, h)
-                                     : method.step(damped, run.before, last, h);
+                run.now = taken == 1 ? method.start(damped, last, h) : method.step(damped, run.before, last, h);
             run.before = last;
-            if (taken <= compared)
-                run.off = std::fmax(run.off.value, 100 * std::fabs(run.now.x - exact.x));
+            if (taken <= compared) run.off = std::fmax(run.off.value, 100 * std::fabs(run.now.x - exact.x));
             if (!run.holds.holds(std::fabs(run.now.x) < 1e6)) run.holds.blown_at = taken;
         };
         ++taken;
@@ -163,12 +149,9 @@ private:
     // The place; where it cannot be followed, how far the swing goes to both sides.
     void record_exact() {
         const double u = too_fast() ? (exact.v + zeta.value * s / h * exact.x) / omega_damped : 0;
-        exact_samples[exact_sampled++ % most_exact] =
-            too_fast() ? std::sqrt(exact.x * exact.x + u * u) : exact.x;
+        exact_samples[exact_sampled++ % most_exact] = too_fast() ? std::sqrt(exact.x * exact.x + u * u) : exact.x;
     }
-    bool too_fast() const {
-        return swings.value > finer / 8.0;
-    }  // eight of its places a swing make a curve
+    bool too_fast() const { return swings.value > finer / 8.0; }  // eight of its places a swing make a curve
     void record() {
         ++sampled;
         for (Run& run : runs)
@@ -178,16 +161,14 @@ private:
     // The runs, one below the other, in front of the exact motion.
     void draw_runs(live::Picture& p) const {
         const double width = static_cast<double>(shown);
-        p.window(0, width, -4.0 * static_cast<double>(runs.size()), 0.8, false, 0,
-                 p.narrow ? 1 : 0.58, p.narrow ? 0.4 : 0, 1);
+        p.window(0, width, -4.0 * static_cast<double>(runs.size()), 0.8, false, 0, p.narrow ? 1 : 0.58,
+                 p.narrow ? 0.4 : 0, 1);
         double middle = -2.5;
         for (const Run& run : runs) {
             p.ink("soft", 1), p.segment(0, middle, width, middle);
             // A run that grows shrinks its row, to a tenth at most. Farther out it is gone.
             const double room =
-                p.narrow
-                    ? 0.8
-                    : 1.2;  // for a metre, in rows of four; on a phone the letters take more of it
+                p.narrow ? 0.8 : 1.2;  // for a metre, in rows of four; on a phone the letters take more of it
             double largest = 1.2;
             const std::size_t from = sampled > shown ? sampled - shown : 0;
             std::size_t end = from;
@@ -197,16 +178,14 @@ private:
             draw_exact(p, middle, scale);
             p.ink(run.name, 1.5), draw_run(p, run.samples, from, end, middle, scale);
             if (end < run.end || !run.holds) p.text(0.79 * width, middle + 1.5, "past 12 m");
-            p.text(0, middle + 1.5,
-                   run.name == semi_implicit_euler_new_damping.name ? "new damping" : run.name);
+            p.text(0, middle + 1.5, run.name == semi_implicit_euler_new_damping.name ? "new damping" : run.name);
             p.ink("ink"), p.text(0.41 * width, middle + 1.5, run.verdict);
             middle -= 4;
         }
     }
     void draw_exact(live::Picture& p, double middle, double scale) const {
         const int places = stride > 1 ? 1 : finer;  // from one step that is drawn to the next
-        const std::size_t from =
-            (sampled > shown ? sampled - shown : 0) * static_cast<std::size_t>(places);
+        const std::size_t from = (sampled > shown ? sampled - shown : 0) * static_cast<std::size_t>(places);
         const auto to = [&](std::size_t n, double side) {
             const double x = static_cast<double>(n - from) / places,
                          y = middle + side * scale * exact_samples[n % most_exact];
@@ -218,11 +197,10 @@ private:
         for (std::size_t n = exact_sampled; n > from; --n) to(n - 1, -1);
         p.fill();
     }
-    static void draw_run(live::Picture& p, const double (&positions)[most_samples],
-                         std::size_t from, std::size_t end, double middle, double scale) {
+    static void draw_run(live::Picture& p, const double (&positions)[most_samples], std::size_t from, std::size_t end,
+                         double middle, double scale) {
         for (std::size_t n = from; n < end; ++n) {
-            const double x = static_cast<double>(n - from),
-                         y = middle + scale * positions[n % most_samples];
+            const double x = static_cast<double>(n - from), y = middle + scale * positions[n % most_samples];
             n == from ? p.move(x, y) : p.line(x, y);
         }
         if (end > from) p.stroke();
@@ -230,8 +208,7 @@ private:
 
     // Each method's longest stable step, against the damping.
     void draw_map(live::Picture& p) const {
-        p.window(-0.06, 2.06, -0.15, 5.15, false, p.narrow ? 0 : 0.58, 1, p.narrow ? 0 : 0.45,
-                 p.narrow ? 0.4 : 1);
+        p.window(-0.06, 2.06, -0.15, 5.15, false, p.narrow ? 0 : 0.58, 1, p.narrow ? 0 : 0.45, p.narrow ? 0.4 : 1);
         p.axes("damping ratio ζ", "longest step, ωh");
         for (const Run& run : runs) {
             if (!run.has_limit()) continue;
@@ -277,8 +254,8 @@ private:
     live::Readout omega_h{this, "ωh"};
     live::Readout zeta{this, "ζ"};
     live::Readout swings{this, "true swings", "a step"};
-    std::array<Run, std::tuple_size_v<decltype(methods)>> runs = std::apply(
-        [this](const auto&... method) { return std::array{Run(this, method)...}; }, methods);
+    std::array<Run, std::tuple_size_v<decltype(methods)>> runs =
+        std::apply([this](const auto&... method) { return std::array{Run(this, method)...}; }, methods);
 
     double h = 0, s = 0, omega_damped = 0;  // the last: of the true motion, rad/s
     int stride = 1;                         // steps from one sample to the next

@@ -19,9 +19,8 @@ struct Account {
 // more than one, the step is refused. The next one is as long as that fits. Kept
 // is the halves minus d: chapter 1's Richardson extrapolation, of order two.
 template <class System, class Y, class Observe>
-timestep::FirstOrder<Y> run_adaptive(const System& f, timestep::FirstOrder<Y> state, double end,
-                                     double relative, double absolute, Account& account,
-                                     const Observe& observe) {
+timestep::FirstOrder<Y> run_adaptive(const System& f, timestep::FirstOrder<Y> state, double end, double relative,
+                                     double absolute, Account& account, const Observe& observe) {
     double h = 1e-6;
     while (state.t < end) {
         h = std::min(h, end - state.t);

@@ -46,8 +46,7 @@ public:
                                  : grows(method.spring, Spring<double>(omega), omega, h);
         count(said, grew, tally);
         if (said == (grew ? Verdict::stable : Verdict::grows))
-            std::printf("  missed: %s, zeta = %g, omega h = %.6g of %.6g\n", method.name, zeta, s,
-                        limit);
+            std::printf("  missed: %s, zeta = %g, omega h = %.6g of %.6g\n", method.name, zeta, s, limit);
     }
 
     static void count(Verdict said, bool grew, Tally& tally) {
@@ -74,8 +73,8 @@ private:
 
 // Can one step raise the energy of a body at this rate of spin? A thousand directions are tried,
 // and the one that the advice itself names.
-bool gains(const GyroscopicSolver& solver, const PrincipalInertia<double>& inertia, double spin,
-           double h, const Vector3<double>& named, Scenes& scenes) {
+bool gains(const GyroscopicSolver& solver, const PrincipalInertia<double>& inertia, double spin, double h,
+           const Vector3<double>& named, Scenes& scenes) {
     double most = named.isZero() ? 1 : solver.gain(inertia, named, h);
     for (int i = 0; i < 1000 && !(most > 1 + 1e-12); ++i)
         most = std::max(most, solver.gain(inertia, Vector3<double>(spin * scenes.direction()), h));
@@ -83,18 +82,17 @@ bool gains(const GyroscopicSolver& solver, const PrincipalInertia<double>& inert
 }
 
 // The advice for one body, and what the trials say.
-void spinning(const GyroscopicSolver& solver, const PrincipalInertia<double>& inertia, double spin,
-              double h, Scenes& scenes, Tally& tally) {
+void spinning(const GyroscopicSolver& solver, const PrincipalInertia<double>& inertia, double spin, double h,
+              Scenes& scenes, Tally& tally) {
     const SpinAdvice advised = solver.judge(inertia, spin, h);
-    Scenes::count(advised.verdict, gains(solver, inertia, spin, h, advised.worst_spin, scenes),
-                  tally);
+    Scenes::count(advised.verdict, gains(solver, inertia, spin, h, advised.worst_spin, scenes), tally);
 }
 
 void add(lab::Table& table, const std::string& what, const Tally& tally) {
-    table.row({what, double(tally.stable), double(tally.growing), double(tally.close),
-               double(tally.right), double(tally.wrong)});
-    std::printf("  %-34s %6ld %6ld %6ld %6ld %6ld\n", what.c_str(), tally.stable, tally.growing,
-                tally.close, tally.right, tally.wrong);
+    table.row({what, double(tally.stable), double(tally.growing), double(tally.close), double(tally.right),
+               double(tally.wrong)});
+    std::printf("  %-34s %6ld %6ld %6ld %6ld %6ld\n", what.c_str(), tally.stable, tally.growing, tally.close,
+                tally.right, tally.wrong);
 }
 
 Tally total_of(const std::vector<Tally>& tallies) {
@@ -121,15 +119,13 @@ void recommended(lab::Findings& out) {
     Scenes scenes(18);
     std::vector<double> dearer;
     for (int i = 0; i < 300; ++i) {
-        const DampedSpring<double> spring(
-            1, scenes.even(0, 1) < 0.25 ? 0 : scenes.even_in_log(0.01, 30));
+        const DampedSpring<double> spring(1, scenes.even(0, 1) < 0.25 ? 0 : scenes.even_in_log(0.01, 30));
         const double h = scenes.even_in_log(0.05, 1e4);
         const auto all = advise(spring, h);
         const Recommendation answer = recommend(spring, h, {.precise = true}, all);
         for (const Advice& each : all)
             if (each.method == answer.method && answer.substeps > 0)
-                dearer.push_back(each.cost * double(answer.substeps) /
-                                 best_cost(*cheapest(all, h), h));
+                dearer.push_back(each.cost * double(answer.substeps) / best_cost(*cheapest(all, h), h));
     }
     std::sort(dearer.begin(), dearer.end());
     const double worst = dearer.back(), half = dearer[dearer.size() / 2];
@@ -137,10 +133,8 @@ void recommended(lab::Findings& out) {
         "  recommended to one percent, over the cheapest that is: × %.3g in the middle, × %.3g at "
         "worst\n",
         half, worst);
-    out.number(
-        "recommended_usual", half, "",
-        "cost of the recommended method over the cheapest as near, in the middle of 300 springs",
-        2);
+    out.number("recommended_usual", half, "",
+               "cost of the recommended method over the cheapest as near, in the middle of 300 springs", 2);
     out.check("recommended", dearer.size() == 300 && half < 1.2 && worst < 2,
               "to one percent the recommended method, in whole substeps, costs less than twice "
               "what the cheapest would at steps of "
@@ -154,10 +148,9 @@ void your_spring(const Settings& settings, lab::Findings& out) {
     const DampedSpring<double> spring(settings.omega, settings.zeta);
     const auto all = advise(spring, settings.step);  // refuses before anything is printed
     out.section("Your spring");
-    auto& table =
-        out.table("your_spring.tsv", {"method", "verdict", "off by", "a second later", "why"});
-    std::printf("  omega = %g rad/s, zeta = %g, h = %.4g s, omega h = %.4g\n", settings.omega,
-                settings.zeta, settings.step, settings.omega * settings.step);
+    auto& table = out.table("your_spring.tsv", {"method", "verdict", "off by", "a second later", "why"});
+    std::printf("  omega = %g rad/s, zeta = %g, h = %.4g s, omega h = %.4g\n", settings.omega, settings.zeta,
+                settings.step, settings.omega * settings.step);
     // Of the true motion the slower part is left in the long run: e^(−ζωt), or the slow one of two
     // decays.
     const double zeta = settings.zeta;
@@ -169,26 +162,22 @@ void your_spring(const Settings& settings, lab::Findings& out) {
         const std::string verdict = told_verdict(advice);
         // Of a limit that is the root of a long equation the number is enough.
         const std::string off = told ? percent(advice.position_error) : "–";
-        table.row({advice.method, verdict, off, growth,
-                   advice.reason.substr(0, advice.reason.find(", the "))});
+        table.row({advice.method, verdict, off, growth, advice.reason.substr(0, advice.reason.find(", the "))});
         std::printf("  %-34s %-18s %s\n", advice.method.c_str(), verdict.c_str(), growth.c_str());
     }
     recommended(out);
     if (const Advice* best = cheapest(all, settings.step)) {
-        out.text(
-            "cheapest", best->method,
-            "the cheapest method whose positions are right to one percent in the first period");
-        out.number("cheapest_rate", 1 / best_step(*best, settings.step), "Hz",
-                   "the steps a second that it takes");
+        out.text("cheapest", best->method,
+                 "the cheapest method whose positions are right to one percent in the first period");
+        out.number("cheapest_rate", 1 / best_step(*best, settings.step), "Hz", "the steps a second that it takes");
     }
 }
 
 void advice(const Settings&, lab::Findings& out) {
     out.section("Ten thousand scenes");
-    std::printf("  %-34s %6s %6s %6s %6s %6s\n", "verdicts and what the simulation says", "stable",
-                "grows", "close", "right", "wrong");
-    auto& table = out.table(
-        "advice.tsv", {"scenes of", "stable", "grows", "too close to call", "right", "wrong"});
+    std::printf("  %-34s %6s %6s %6s %6s %6s\n", "verdicts and what the simulation says", "stable", "grows", "close",
+                "right", "wrong");
+    auto& table = out.table("advice.tsv", {"scenes of", "stable", "grows", "too close to call", "right", "wrong"});
     Scenes scenes(6);
     std::vector<Tally> tallies;
 
@@ -212,8 +201,7 @@ void advice(const Settings&, lab::Findings& out) {
             ++bodies.near;
             spinning(gyroscopic_solver(ImplicitGyroscopic::name), inertia, spin, h, scenes, bodies);
         } else {
-            spinning(gyroscopic_solvers()[std::size_t(i / 2 % 6)], inertia, spin, size / spin,
-                     scenes, bodies);
+            spinning(gyroscopic_solvers()[std::size_t(i / 2 % 6)], inertia, spin, size / spin, scenes, bodies);
         }
     }
     add(table, "spinning bodies", bodies);
@@ -224,19 +212,15 @@ void advice(const Settings&, lab::Findings& out) {
     const double all = double(total.stable + total.growing + total.close);
     const double decided = double(total.right + total.wrong);
     out.number("scenes", all, "", "random scenes");
-    out.number("right_share", 100 * total.right / decided, "%",
-               "verdicts that the simulation confirms", 5);
+    out.number("right_share", 100 * total.right / decided, "%", "verdicts that the simulation confirms", 5);
     char share[32];
     std::snprintf(share, sizeof share, "%.2f %%", 100 * total.right / decided);
-    out.text("right_words", total.wrong == 0 ? "all" : share,
-             "verdicts that the simulation confirms");
+    out.text("right_words", total.wrong == 0 ? "all" : share, "verdicts that the simulation confirms");
     out.number("near_share", 100 * total.near / all, "%", "scenes within 10 % of a boundary", 2);
     std::printf("  %ld of them within 10 %% of a boundary\n", total.near);
     out.number("close_share", 100 * total.close / all, "%", "scenes too close to call", 2);
-    out.check(
-        "advice_right",
-        total.right >= 0.999 * decided && total.close <= 0.01 * all && total.near >= 0.5 * all,
-        "at least 99.9 % of the verdicts are right, and at most 1 % of the scenes too close to "
-        "call, where "
-        "half of them are within 10 % of a boundary");
+    out.check("advice_right", total.right >= 0.999 * decided && total.close <= 0.01 * all && total.near >= 0.5 * all,
+              "at least 99.9 % of the verdicts are right, and at most 1 % of the scenes too close to "
+              "call, where "
+              "half of them are within 10 % of a boundary");
 }

@@ -32,8 +32,7 @@ constexpr bool takes() {
         else
             return true;
     } else {
-        return TwoStepMethod<Method, Model, S> ||
-               requires(const Method& m, const Model& f, S s, real_of<S> h) {
+        return TwoStepMethod<Method, Model, S> || requires(const Method& m, const Model& f, S s, real_of<S> h) {
             m.step(f, s, h);
         };
     }
@@ -53,9 +52,8 @@ struct AnyMethod {
 
     template <class Method>
     AnyMethod(const Method&) : name(Method::name) {
-        if constexpr (takes<Method, Model, S>() && requires(const Model& f, const S& s, Real h) {
-                          Method{}.check_step(f, s, h);
-                      })
+        if constexpr (takes<Method, Model, S>() &&
+                      requires(const Model& f, const S& s, Real h) { Method{}.check_step(f, s, h); })
             check = [](const Model& f, const S& s, Real h) { Method{}.check_step(f, s, h); };
         if constexpr (!takes<Method, Model, S>()) {
             return;

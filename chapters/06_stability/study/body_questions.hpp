@@ -51,8 +51,7 @@ public:
         } else if (kind < 2) {
             moments[0] = 1, moments[1] = even(0, 4) < 1 ? 1 : 1 - even(0, timestep::nearly_equal);
             // Between the difference of the two and their sum.
-            moments[2] =
-                even_in_log(std::max(1e-3, 1.01 * (1 - moments[1])), moments[0] + moments[1]);
+            moments[2] = even_in_log(std::max(1e-3, 1.01 * (1 - moments[1])), moments[0] + moments[1]);
         } else {
             const double thin = even_in_log(1e-9, 1e-2) * std::min(A, B);
             moments[0] = B + thin, moments[1] = thin + A, moments[2] = A + B;
@@ -65,8 +64,7 @@ public:
     Vector near_middle(const Body& body) {
         int least, most;
         body.moments.minCoeff(&least), body.moments.maxCoeff(&most);
-        return (Vector::Unit(3 - least - most) + even_in_log(1e-4, 1e-2) * direction())
-            .normalized();
+        return (Vector::Unit(3 - least - most) + even_in_log(1e-4, 1e-2) * direction()).normalized();
     }
 
 private:
@@ -75,18 +73,15 @@ private:
 
 // h|ω| from 1e-3 to 30.
 inline Question any(Random& random) {
-    return {random.body(), random.direction(), random.even_in_log(1e-3, 30), random.even(0, 3) > 1,
-            1};
+    return {random.body(), random.direction(), random.even_in_log(1e-3, 30), random.even(0, 3) > 1, 1};
 }
 
-inline timestep::Frames frames(const Question& q) {
-    return {q.even ? 1 : 1.0 / 3, 1};
-}  // so |ω| is the turn
+inline timestep::Frames frames(const Question& q) { return {q.even ? 1 : 1.0 / 3, 1}; }  // so |ω| is the turn
 
 // Is the verdict true of the solver's own steps? One step in a thousand directions, and runs of
 // three hundred.
-inline bool true_of_steps(const timestep::BodyAdvice& said, const timestep::BodySolver& solver,
-                          const Question& q, Random& random) {
+inline bool true_of_steps(const timestep::BodyAdvice& said, const timestep::BodySolver& solver, const Question& q,
+                          Random& random) {
     using timestep::AddsEnergy;
     const Body& body = q.inertia;
     double most = 0;
@@ -102,11 +97,8 @@ inline bool true_of_steps(const timestep::BodyAdvice& said, const timestep::Body
     }
     for (int i = 0; i < 1000; ++i) step(i % 2 ? random.direction() : random.near_middle(body));
     for (int i = 0; i < 6; ++i) {
-        const Vector direction = i == 0  ? q.direction
-                                 : i % 2 ? random.direction()
-                                         : random.near_middle(body);
-        const auto thrown =
-            solver.throw_body(body, Vector(q.turn * direction), frames(q), 1e9, 300);
+        const Vector direction = i == 0 ? q.direction : i % 2 ? random.direction() : random.near_middle(body);
+        const auto thrown = solver.throw_body(body, Vector(q.turn * direction), frames(q), 1e9, 300);
         most = std::max(most, thrown.most_energy);
     }
     return most <= said.bound * (1 + 1e-11);
@@ -119,15 +111,13 @@ struct Tally {
         using timestep::AddsEnergy;
         ++asked;
         never += said.adds == AddsEnergy::never, bounded += said.adds == AddsEnergy::bounded;
-        can += said.adds == AddsEnergy::one_step_can,
-            close += said.adds == AddsEnergy::too_close_to_call;
+        can += said.adds == AddsEnergy::one_step_can, close += said.adds == AddsEnergy::too_close_to_call;
         if (said.adds == AddsEnergy::too_close_to_call || right) return;
         ++wrong;
         char line[300];
         const Vector& I = q.inertia.moments;
-        std::snprintf(line, sizeof line, "%s: %s, moments %.17g %.17g %.17g, turn %.17g, %s",
-                      said.method.c_str(), words(said.adds), I.x(), I.y(), I.z(), q.turn,
-                      q.even ? "even" : "uneven");
+        std::snprintf(line, sizeof line, "%s: %s, moments %.17g %.17g %.17g, turn %.17g, %s", said.method.c_str(),
+                      words(said.adds), I.x(), I.y(), I.z(), q.turn, q.even ? "even" : "uneven");
         missed.push_back(line);
     }
 };
@@ -140,14 +130,12 @@ inline Tally verdicts(long how_many, unsigned long seed) {
         for (const timestep::BodySolver& solver : timestep::body_solvers()) {
             if (tally.asked >= how_many) break;
             Question q = any(random);
-            if (random.even(0, 3) <
-                1) {  // within a tenth of its own limit, or of another's where it has none
+            if (random.even(0, 3) < 1) {  // within a tenth of its own limit, or of another's where it has none
                 const double own = solver.judge(q.inertia, 1, 1e-3, true).longest_step;
                 const double limit =
                     own > 0 && own < 1e3
                         ? own
-                        : std::min(1e3, (random.even(0, 2) < 1 ? 1 : 2) *
-                                            timestep::longest_safe_step(q.inertia, 1));
+                        : std::min(1e3, (random.even(0, 2) < 1 ? 1 : 2) * timestep::longest_safe_step(q.inertia, 1));
                 q.turn = limit * random.even(0.9, 1.1);
                 ++tally.near;
             }
@@ -162,8 +150,7 @@ struct Contest {
     std::string name;                     // of the line
     long asked = 0, wrong = 0, lost = 0;  // off by more than 1 % in two seconds, and lost
     double worst = 0;
-    long beaten =
-        0;  // by another one of its price or cheaper, each in as many substeps as that buys
+    long beaten = 0;          // by another one of its price or cheaper, each in as many substeps as that buys
     long beaten_visibly = 0;  // and was off by more than 1 % itself
     double worst_beaten = 0;  // how far it was off, at most, where another was nearer by half
 };
@@ -174,19 +161,17 @@ inline std::vector<Contest> recommended(long how_many, unsigned long seed, doubl
     std::vector<Contest> all;
     const double h = 1.0 / 60;
     for (long n = 0; n < how_many; ++n) {
-        Question q{random.body(), random.direction(), random.even_in_log(0.01, fastest),
-                   random.even(0, 3) > 1, random.even(0, 3) < 1 ? 5000L : 1L};
+        Question q{random.body(), random.direction(), random.even_in_log(0.01, fastest), random.even(0, 3) > 1,
+                   random.even(0, 3) < 1 ? 5000L : 1L};
         if (random.even(0, 10) < 1) q.inertia = Body(1, 1, random.even_in_log(1e-3, 2));
-        if (random.even(0, 2) < 1 && !(q.inertia.ratio.array() == 0).any())
-            q.direction = random.near_middle(q.inertia);
+        if (random.even(0, 2) < 1 && !(q.inertia.ratio.array() == 0).any()) q.direction = random.near_middle(q.inertia);
         const Frames frames(q.even ? h : h / 3, h);
         const Vector omega = q.turn / h * q.direction;
         const BodyRecommendation take = recommend(q.inertia, omega, frames, false, q.count);
         double price = 0, off = NAN;
         const auto run = [&](const BodySolver& solver, long substeps) {
             const Frames shorter((q.even ? h : h / 3) / double(substeps), h / double(substeps));
-            const double found =
-                solver.throw_body(q.inertia, omega, shorter, 2, most_thrown_steps).off;
+            const double found = solver.throw_body(q.inertia, omega, shorter, 2, most_thrown_steps).off;
             return std::isnan(found) ? 2 : found;
         };
         const BodySolver& taken =
@@ -195,18 +180,15 @@ inline std::vector<Contest> recommended(long how_many, unsigned long seed, doubl
         double nearest = INFINITY;
         for (const BodySolver& each : body_solvers()) {
             if (&each == &taken || !(each.price.all() <= price)) continue;
-            const long substeps =
-                each.price.all() > 0 ? std::max(1L, long(price / each.price.all())) : 1;
+            const long substeps = each.price.all() > 0 ? std::max(1L, long(price / each.price.all())) : 1;
             nearest = std::min(nearest, run(each, substeps));
         }
-        auto line = std::find_if(all.begin(), all.end(),
-                                 [&](const Contest& c) { return c.name == take.choice.name; });
+        auto line = std::find_if(all.begin(), all.end(), [&](const Contest& c) { return c.name == take.choice.name; });
         if (line == all.end()) line = all.insert(all.end(), Contest{take.choice.name});
         ++line->asked, line->wrong += off > 0.01, line->lost += off > lost_orientation;
         line->worst = std::max(line->worst, off);
         // Of an orientation that is right already a nearer one is of no use to anybody.
-        if (nearest < off && off > right_orientation)
-            ++line->beaten, line->beaten_visibly += off > 0.01;
+        if (nearest < off && off > right_orientation) ++line->beaten, line->beaten_visibly += off > 0.01;
         if (nearest < off / 2) line->worst_beaten = std::max(line->worst_beaten, off);
     }
     return all;

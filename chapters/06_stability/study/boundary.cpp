@@ -35,9 +35,7 @@ double predicted(const Method& method, double zeta) {
 // No R here. With s = ωh, from the step's trace and determinant: an eigenvalue is −1 where
 // 1 + trace + determinant = 4 ∓ 4ζs − s² = 0, with − for damping at the old velocity, + at the new.
 double predicted(const SemiImplicitEuler&, double zeta) { return 2 / (std::hypot(1, zeta) + zeta); }
-double predicted(const SemiImplicitEulerNewDamping&, double zeta) {
-    return 2 * (std::hypot(1, zeta) + zeta);
-}
+double predicted(const SemiImplicitEulerNewDamping&, double zeta) { return 2 * (std::hypot(1, zeta) + zeta); }
 // Determinant 1 − 2ζs + s²/2: a swing grows from s = 4ζ on. 1 + trace + determinant = 4 − 4ζs: a
 // state flips from s = 1/ζ on.
 double predicted(const ConstantAcceleration&, double zeta) { return std::min(4 * zeta, 1 / zeta); }
@@ -77,8 +75,7 @@ double found_by_bisection(const Grows& grows) {
 double condition(const StepMatrix<double>& a) {
     const auto [first, second] = eigenvalues(a);
     const Complex below1 = first - a.xx, below2 = second - a.xx;
-    const double sizes =
-        std::sqrt(a.xv * a.xv + std::norm(below1)) * std::sqrt(a.xv * a.xv + std::norm(below2));
+    const double sizes = std::sqrt(a.xv * a.xv + std::norm(below1)) * std::sqrt(a.xv * a.xv + std::norm(below2));
     const double cosine = std::abs(a.xv * a.xv + std::conj(below1) * below2) / sizes;
     const double determinant = std::abs(a.xv * (below2 - below1)) / sizes;
     return (1 + cosine) / determinant;
@@ -91,8 +88,7 @@ template <class Method>
 double bound(const Method& method, double zeta, double wh) {
     const DampedSpring model(1.0, zeta);
     const double beyond = 1e-3;
-    const double rate =
-        std::log(spectral_radius(step_matrix(method, model, wh * (1 + beyond)))) / beyond;
+    const double rate = std::log(spectral_radius(step_matrix(method, model, wh * (1 + beyond)))) / beyond;
     const double steps = std::clamp(200 * 2 * pi / wh, 4000.0, 200000.0);
     const double bisected = std::log(1e5) / std::pow(2.0, 34);
     return std::log(condition(step_matrix(method, model, wh))) / (steps * rate) + 2 * bisected;
@@ -121,8 +117,8 @@ void edge(const Method& method, Worst& worst, lab::Findings& out) {
         worst.over_bound = std::max(worst.over_bound, off / bound(method, zeta, expected));
         ++worst.points;
     }
-    std::printf("  %-32s %9.4f %9.4f %9.4f %9.4f\n", method.name, predicted(method, 0.01),
-                predicted(method, 0.1), predicted(method, 1), predicted(method, 10));
+    std::printf("  %-32s %9.4f %9.4f %9.4f %9.4f\n", method.name, predicted(method, 0.01), predicted(method, 0.1),
+                predicted(method, 1), predicted(method, 10));
     out.number("edge_hard_" + id, predicted(method, 10), "", "longest stable omega h at zeta = 10");
 }
 
@@ -153,20 +149,15 @@ bool always_bounded(const Method& method) {
 
 void boundary(const Settings&, lab::Findings& out) {
     out.section("The longest stable step of every method");
-    std::printf("  %-32s %9s %9s %9s %9s\n", "omega h, for the damping ratio", "0.01", "0.1", "1",
-                "10");
+    std::printf("  %-32s %9s %9s %9s %9s\n", "omega h, for the damping ratio", "0.01", "0.1", "1", "10");
     Worst worst;
-    edge(explicit_euler, worst, out), edge(constant_acceleration, worst, out),
-        edge(midpoint, worst, out);
+    edge(explicit_euler, worst, out), edge(constant_acceleration, worst, out), edge(midpoint, worst, out);
     edge(heun, worst, out), edge(runge_kutta_4, worst, out);
     edge(semi_implicit_euler, worst, out), edge(semi_implicit_euler_new_damping, worst, out);
-    std::printf("  %d limits found by running: within %.1e of the formulas\n", worst.points,
-                worst.off);
+    std::printf("  %d limits found by running: within %.1e of the formulas\n", worst.points, worst.off);
     out.number("edge_points", worst.points, "", "limits found by running");
-    out.number("edge_off", 100 * worst.off, "%", "limits found by running against formulas, worst",
-               1);
-    out.check("edges", worst.over_bound < 1,
-              "the limits found by running are those of the formulas");
+    out.number("edge_off", 100 * worst.off, "%", "limits found by running against formulas, worst", 1);
+    out.check("edges", worst.over_bound < 1, "the limits found by running are those of the formulas");
 
     auto& marks = out.table("edge_undamped.tsv", {"method", "wh"});
     double off = 0;
@@ -181,8 +172,7 @@ void boundary(const Settings&, lab::Findings& out) {
     out.check("edge_undamped", off < 3e-7,
               "without damping the three Verlets stop where semi-implicit Euler stops, at 2");
 
-    const bool unlimited =
-        always_bounded(implicit_euler) && always_bounded(implicit_midpoint) && always_bounded(bdf2);
+    const bool unlimited = always_bounded(implicit_euler) && always_bounded(implicit_midpoint) && always_bounded(bdf2);
     out.check("edge_none", unlimited,
               "implicit Euler, implicit midpoint and BDF2 have no limit: bounded up to omega h of "
               "a million");
@@ -192,8 +182,7 @@ void boundary(const Settings&, lab::Findings& out) {
                               predicted(midpoint, 10), predicted(semi_implicit_euler, 10)})
         alike = alike && std::fabs(hard / 0.1 - 1) < 0.01;
     out.check("edge_hard_alike",
-              alike && predicted(runge_kutta_4, 10) < 0.15 &&
-                  predicted(semi_implicit_euler_new_damping, 10) > 40,
+              alike && predicted(runge_kutta_4, 10) < 0.15 && predicted(semi_implicit_euler_new_damping, 10) > 40,
               "damped hard, the explicit methods all stop near omega h = 1/zeta, and new damping "
               "reaches far beyond 4 zeta");
 }

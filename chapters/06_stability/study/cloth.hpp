@@ -164,9 +164,8 @@ class Factorised {
 public:
     explicit Factorised(const Cloth& cloth) : matrix_(cloth.x().size(), cloth.x().size()) {
         std::vector<Eigen::Triplet<double>> places;
-        entries(cloth, Tangent(cloth, 1), 1, [&](int row, int column, double value) {
-            places.emplace_back(row, column, value);
-        });
+        entries(cloth, Tangent(cloth, 1), 1,
+                [&](int row, int column, double value) { places.emplace_back(row, column, value); });
         matrix_.setFromTriplets(places.begin(), places.end());
         for (const auto& place : places)
             where_.push_back(&matrix_.coeffRef(place.row(), place.col()) - matrix_.valuePtr());
@@ -188,8 +187,7 @@ private:
     void fill(const Cloth& cloth, const Tangent& tangent, double h) {
         matrix_.coeffs().setZero();
         auto place = where_.begin();
-        entries(cloth, tangent, h,
-                [&](int, int, double value) { matrix_.valuePtr()[*place++] += value; });
+        entries(cloth, tangent, h, [&](int, int, double value) { matrix_.valuePtr()[*place++] += value; });
     }
     // The numbers on the diagonal and below it. A corner that is held has the row of m alone.
     template <class Add>

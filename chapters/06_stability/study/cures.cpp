@@ -31,8 +31,7 @@ double too_long(int steps, int sweeps, double load) {
     const double length = 0.1, h = frame / steps, keep = std::exp(-10 * h);
     std::array<double, links + 1> x, before,
         w;  // depth, that of the step before, one over the mass
-    for (int i = 0; i <= links; ++i)
-        x[i] = before[i] = i * length, w[i] = i == 0 ? 0 : 1 / (i == links ? load : point);
+    for (int i = 0; i <= links; ++i) x[i] = before[i] = i * length, w[i] = i == 0 ? 0 : 1 / (i == links ? load : point);
     for (int n = 0; n < 3600 * steps; ++n) {
         for (int i = 1; i <= links; ++i) {
             const double next = x[i] + keep * (x[i] - before[i]) + h * h * 9.81;
@@ -66,14 +65,12 @@ void substeps(lab::Findings& out) {
     out.number("sub_mass", point, "kg", "a point of the rope");
     out.number("sub_load", load, "kg", "the load on the rope");
     out.number("sub_sweeps", 32, "", "sweeps a frame");
-    out.number("sub_iterations", 100 * iterations, "%",
-               "too long with so many iterations in one step", 2);
+    out.number("sub_iterations", 100 * iterations, "%", "too long with so many iterations in one step", 2);
     out.number("sub_steps", 100 * steps, "%", "and with as many substeps of one sweep", 2);
     out.number("sub_four", 100 * four, "%", "with four substeps of one sweep", 2);
     out.number("sub_sixteen", 100 * sixteen, "%", "with sixteen iterations in one step", 2);
     out.check("substeps_win",
-              iterations > 20 * steps && std::fabs(four / sixteen - 1) < 0.1 &&
-                  std::fabs(slope - 2) < 0.01,
+              iterations > 20 * steps && std::fabs(four / sixteen - 1) < 0.1 && std::fabs(slope - 2) < 0.01,
               "32 substeps leave less than a twentieth of what 32 iterations leave of a loaded "
               "rope's stretch; four substeps "
               "are within a tenth of sixteen iterations; twice the substeps are a quarter of the "
@@ -91,8 +88,7 @@ std::vector<double> kicked(Method method, bool told) {
     for (int n = 1; n <= 40; ++n) {
         if (n == 11) {
             now.v += 1;
-            if (told && method == Method::verlet)
-                before.x -= h * 1;  // the stored place makes the velocity
+            if (told && method == Method::verlet) before.x -= h * 1;  // the stored place makes the velocity
             if (told && method != Method::verlet) before = {now.t - h, now.x - h * now.v, now.v};
         }
         State<double> next{now.t + h, 0, now.v};  // no force: the velocity stays
@@ -122,8 +118,7 @@ void restarts(lab::Findings& out) {
         "ahead, Verlet at %g;\n"
         "  told, all are within %.1e m\n",
         bdf.back() / (30 * frame), ahead / frame, stored.back(), worst);
-    out.number("adams_ahead", ahead / frame, "",
-               "steps by which Adams–Bashforth is ahead after a kick", 3);
+    out.number("adams_ahead", ahead / frame, "", "steps by which Adams–Bashforth is ahead after a kick", 3);
     out.check("kick_restarts",
               worst < 1e-12 && stored.back() == 0 && std::fabs(ahead / frame - 0.5) < 1e-9 &&
                   std::fabs(bdf.back() / (30 * frame) - 1.5) < 0.1,
@@ -178,11 +173,8 @@ void effective_mass(lab::Findings& out) {
         worst = std::fmax(worst, std::fabs(found / formula - 1));
         if (i == 40) end = body.inverse_mass() * m;
     }
-    std::printf(
-        "  a plank held at its corner feels as 1/%.3g of its mass; found against formula: %.1e\n",
-        end, worst);
-    out.number("corner_lighter", end, "",
-               "how many times lighter a plank is to a spring at its corner", 3);
+    std::printf("  a plank held at its corner feels as 1/%.3g of its mass; found against formula: %.1e\n", end, worst);
+    out.number("corner_lighter", end, "", "how many times lighter a plank is to a spring at its corner", 3);
     out.check("effective_mass", worst < 1e-3 && end > 3,
               "the longest step of a body on one spring is 2 over the root of k/m_eff, found by "
               "running to a thousandth, and "

@@ -15,8 +15,7 @@ const Outcome all_words[] = {Outcome::refused, Outcome::exact,    Outcome::bound
                              Outcome::grows,   Outcome::reported, Outcome::does_not_compile};
 
 long count(const std::vector<Cell>& cells, Outcome word) {
-    return std::count_if(cells.begin(), cells.end(),
-                         [=](const Cell& cell) { return cell.found == word; });
+    return std::count_if(cells.begin(), cells.end(), [=](const Cell& cell) { return cell.found == word; });
 }
 
 const Cell& find(const std::vector<Cell>& cells, std::string_view real, std::string_view scene,
@@ -27,10 +26,8 @@ const Cell& find(const std::vector<Cell>& cells, std::string_view real, std::str
 }
 
 // How often each word fell.
-void outcomes(const std::vector<Cell>& methods, const std::vector<Cell>& bodies,
-              lab::Findings& out) {
-    auto& table =
-        out.table("outcomes.tsv", {"what happens", "methods and forces", "solvers and bodies"});
+void outcomes(const std::vector<Cell>& methods, const std::vector<Cell>& bodies, lab::Findings& out) {
+    auto& table = out.table("outcomes.tsv", {"what happens", "methods and forces", "solvers and bodies"});
     for (const Outcome word : all_words) {
         const long m = count(methods, word), b = count(bodies, word);
         table.row({words(word), double(m), double(b)});
@@ -45,8 +42,8 @@ void outcomes(const std::vector<Cell>& methods, const std::vector<Cell>& bodies,
         for (const Cell& cell : *all) {
             if (cell.found == cell.expected) continue;
             ++unlike;
-            std::printf("  %s, %s, %s: %s instead of %s\n", cell.real.c_str(), cell.scene.c_str(),
-                        cell.method.c_str(), words(cell.found), words(cell.expected));
+            std::printf("  %s, %s, %s: %s instead of %s\n", cell.real.c_str(), cell.scene.c_str(), cell.method.c_str(),
+                        words(cell.found), words(cell.expected));
         }
     out.check("extremes_as_expected", unlike == 0 && cells >= 400,
               "every one of the extreme inputs ends as theory says: none crashes, hangs, or fails "
@@ -55,15 +52,12 @@ void outcomes(const std::vector<Cell>& methods, const std::vector<Cell>& bodies,
 
 // The cells that say most.
 void telling(const std::vector<Cell>& cells, lab::Findings& out) {
-    const char* names[] = {"explicit Euler", "semi-implicit Euler", "implicit Euler",
-                           "Runge-Kutta 4"};
+    const char* names[] = {"explicit Euler", "semi-implicit Euler", "implicit Euler", "Runge-Kutta 4"};
     auto& table = out.table("telling_cells.tsv", {"input", names[0], names[1], names[2], names[3]});
-    for (const char* scene :
-         {"step 0", "step tiny", "step huge", "start NaN", "ω stiff", "ω² h² huge", "damper 1e30",
-          "masses 1 : 1e−30", "drag 1e30", "start subnormal", "t + h = t", "a million steps"}) {
+    for (const char* scene : {"step 0", "step tiny", "step huge", "start NaN", "ω stiff", "ω² h² huge", "damper 1e30",
+                              "masses 1 : 1e−30", "drag 1e30", "start subnormal", "t + h = t", "a million steps"}) {
         std::vector<lab::Cell> row{scene};
-        for (const char* name : names)
-            row.push_back(words(find(cells, "double", scene, name).found));
+        for (const char* name : names) row.push_back(words(find(cells, "double", scene, name).found));
         table.row(row);
     }
     for (const char* real : {"float", "double"}) {
@@ -88,15 +82,12 @@ void rows(const std::vector<Cell>& cells, lab::Findings& out) {
             return there > 0 && good == there;
         });
     };
-    const bool implicit_alone =
-        all_of({"ω stiff", "masses 1 : 1e−30", "drag 1e30"}, [](const Cell& cell) {
-            const std::string& m = cell.method;
-            return (cell.found == Outcome::bounded) ==
-                   (m == "implicit Euler" || m == "implicit midpoint" || m == "BDF2");
-        });
-    const bool harmless =
-        all_of({"step tiny", "ω tiny", "ω = 0", "t + h = t", "lengths × 2ⁿ", "lengths ÷ 2ⁿ"},
-               [](const Cell& cell) { return cell.found == Outcome::exact; });
+    const bool implicit_alone = all_of({"ω stiff", "masses 1 : 1e−30", "drag 1e30"}, [](const Cell& cell) {
+        const std::string& m = cell.method;
+        return (cell.found == Outcome::bounded) == (m == "implicit Euler" || m == "implicit midpoint" || m == "BDF2");
+    });
+    const bool harmless = all_of({"step tiny", "ω tiny", "ω = 0", "t + h = t", "lengths × 2ⁿ", "lengths ÷ 2ⁿ"},
+                                 [](const Cell& cell) { return cell.found == Outcome::exact; });
     out.check("stiff_implicit_alone", implicit_alone,
               "on stiff springs and drag the implicit methods alone stay bounded");
     out.check("scales_harmless", harmless,
@@ -112,18 +103,16 @@ void grid(const std::vector<Cell>& cells, lab::Findings& out) {
     for (const Cell& cell : cells) {
         if (cell.real != "double") continue;
         columns.try_emplace(cell.method, int(columns.size()));
-        const bool shown = cell.found != Outcome::refused &&
-                           cell.found != Outcome::does_not_compile &&
+        const bool shown = cell.found != Outcome::refused && cell.found != Outcome::does_not_compile &&
                            cell.scene.find("decay") == std::string::npos &&
                            cell.scene.find(" start huge") == std::string::npos;
-        if (shown && std::find(scenes.begin(), scenes.end(), cell.scene) == scenes.end())
-            scenes.push_back(cell.scene);
+        if (shown && std::find(scenes.begin(), scenes.end(), cell.scene) == scenes.end()) scenes.push_back(cell.scene);
     }
     for (const Cell& cell : cells) {
         const auto row = std::find(scenes.begin(), scenes.end(), cell.scene);
         if (cell.real == "double" && row != scenes.end())
-            table.row({double(columns[cell.method]), double(row - scenes.begin()),
-                       double(int(cell.found)), cell.method, cell.scene});
+            table.row({double(columns[cell.method]), double(row - scenes.begin()), double(int(cell.found)), cell.method,
+                       cell.scene});
     }
 }
 

@@ -29,8 +29,7 @@ public:
     const State<double>& now() const { return now_; }
     void restart(const State<double>& state) { now_ = state; }
     void step(const Projectile<double>& model, double h_) {
-        const State<double> next =
-            first_ ? bdf2.start(model, now_, h_) : bdf2.step(model, before_, now_, h_);
+        const State<double> next = first_ ? bdf2.start(model, now_, h_) : bdf2.step(model, before_, now_, h_);
         before_ = now_, now_ = next, first_ = false;
     }
 
@@ -80,15 +79,12 @@ void impulses(lab::Findings& out) {
         "  a ball dropped from 1 m rises to %.3g m, restarted after each bounce to %.3g m\n",
         bare, mended, wild, tame);
     out.number("kick_bare", bare, "m/s", "what BDF2 makes of a kick of 1 m/s", 3);
-    out.number("ball_bare", wild, "m",
-               "where a ball gets to that bounces by BDF2, dropped from 1 m", 3);
+    out.number("ball_bare", wild, "m", "where a ball gets to that bounces by BDF2, dropped from 1 m", 3);
     out.number("ball_restarted", tame, "m", "the same, restarted after each bounce", 3);
-    out.check(
-        "bdf2_kicks",
-        std::fabs(bare - 1.5) < 1e-9 && std::fabs(mended - 1) < 1e-12 && wild > 2 && tame <= 1,
-        "BDF2 makes 1.5 m/s of a kick of 1 m/s and lets a ball rise to over twice where it came "
-        "from; "
-        "restarted it does neither");
+    out.check("bdf2_kicks", std::fabs(bare - 1.5) < 1e-9 && std::fabs(mended - 1) < 1e-12 && wild > 2 && tame <= 1,
+              "BDF2 makes 1.5 m/s of a kick of 1 m/s and lets a ball rise to over twice where it came "
+              "from; "
+              "restarted it does neither");
 }
 
 // A minute of a spring by semi-implicit Euler, each step one frame of 1/60 s or two of them.
@@ -101,15 +97,13 @@ void uneven_frames(lab::Findings& out) {
         uneven = semi_implicit_euler.step(spring, uneven, random() % 2 ? 2 * h : h);
         even = semi_implicit_euler.step(spring, even, 2 * h);
     }
-    const double grown = std::hypot(uneven.x, uneven.v / omega),
-                 stays = std::hypot(even.x, even.v / omega);
+    const double grown = std::hypot(uneven.x, uneven.v / omega), stays = std::hypot(even.x, even.v / omega);
     std::printf(
         "  frames of 1/60 and 1/30 s at random, 30 rad/s: in a minute × %.1e; all of 1/30 s: × "
         "%.2g\n",
         grown, stays);
     out.number("uneven_omega", omega, "rad/s", "a spring on uneven frames");
-    out.number("uneven_grown", grown, "", "what a minute of uneven frames multiplies its size by",
-               2);
+    out.number("uneven_grown", grown, "", "what a minute of uneven frames multiplies its size by", 2);
     out.check("uneven_grows", grown > 1e3 && stays < 2,
               "a spring of 30 rad/s grows more than a thousandfold in a minute of frames of 1/60 "
               "and 1/30 s at "
@@ -130,8 +124,7 @@ void bodies_that_turn(lab::Findings& out) {
     const Plank plank;
     const double sum = 2 * plank.k / plank.m;  // of the springs at it, over its mass
     const double counted = 2 * plank.k * (1 / plank.m + plank.r * plank.r / plank.inertia);
-    const double step =
-        1.9 / std::sqrt(2 * sum);  // the rule for masses that do not turn calls it stable
+    const double step = 1.9 / std::sqrt(2 * sum);  // the rule for masses that do not turn calls it stable
     const auto grows = [&](double length) {
         const State<Eigen::Vector2d> start{0, {0, 0.01}, {0, 0}};
         const auto end = run(semi_implicit_euler, plank, start, length, 1000);
@@ -155,16 +148,14 @@ void taut_springs(lab::Findings& out) {
     bool all = true;
     for (const double rest : {0.0, 0.5, 0.9}) {
         const auto energy = [&](double angle) {
-            const double stretched =
-                std::hypot(length + r - r * std::cos(angle), r * std::sin(angle));
+            const double stretched = std::hypot(length + r - r * std::cos(angle), r * std::sin(angle));
             return 2 * 0.5 * k * (stretched - rest) * (stretched - rest);
         };
         const double d = 1e-4, slope = (energy(d) - 2 * energy(0) + energy(-d)) / (d * d);  // I ω²
         const double pull = k * (length - rest);
         all = all && std::abs(slope / (2 * pull * r * (1 + r / length)) - 1) < 1e-4;
     }
-    out.check("taut", all,
-              "two taut springs pull a ball that has turned back with I ω² = 2 T r (1 + r/length)");
+    out.check("taut", all, "two taut springs pull a ball that has turned back with I ω² = 2 T r (1 + r/length)");
 }
 
 }  // namespace

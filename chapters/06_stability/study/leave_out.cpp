@@ -101,10 +101,9 @@ void leave_out(const Settings&, lab::Findings& out) {
     out.section("Bodies sorted by need");
     const char* names[] = {"balls", "capsules", "boxes", "a third each"};
     const char* keys[] = {"balls", "capsules", "boxes", "mixture"};
-    auto& table = out.table("leave_out.tsv", {"crowd", "sorted by kind", "std::variant", "virtual",
-                                              "every body a box"});
-    std::printf("  %-14s %10s %10s %10s %10s\n", "ns a body, step", "sorted", "variant", "virtual",
-                "all boxes");
+    auto& table =
+        out.table("leave_out.tsv", {"crowd", "sorted by kind", "std::variant", "virtual", "every body a box"});
+    std::printf("  %-14s %10s %10s %10s %10s\n", "ns a body, step", "sorted", "variant", "virtual", "all boxes");
     for (int which = 0; which < 4; ++which) {
         const Measured m = measure(which);
         const auto rounded = [](double value) {
@@ -112,17 +111,13 @@ void leave_out(const Settings&, lab::Findings& out) {
             std::snprintf(text, sizeof text, "%.1f", value);
             return std::string(text);
         };
-        table.row({std::string(names[which]), rounded(m.sorted), rounded(m.variant),
-                   rounded(m.virtually), rounded(m.alike)});
-        std::printf("  %-14s %10.1f %10.1f %10.1f %10.1f\n", names[which], m.sorted, m.variant,
-                    m.virtually, m.alike);
+        table.row(
+            {std::string(names[which]), rounded(m.sorted), rounded(m.variant), rounded(m.virtually), rounded(m.alike)});
+        std::printf("  %-14s %10.1f %10.1f %10.1f %10.1f\n", names[which], m.sorted, m.variant, m.virtually, m.alike);
         const std::string key = keys[which];
-        out.number(key + "_alike_ratio", m.alike / m.sorted, "",
-                   "time of boxes only over sorted, " + key, 1);
-        const double off =
-            std::max(std::fabs(m.variant / m.sorted - 1), std::fabs(m.virtually / m.sorted - 1));
-        out.number(key + "_within", std::ceil(100 * off), "%",
-                   "how far both are from the sorted bodies' time, " + key);
+        out.number(key + "_alike_ratio", m.alike / m.sorted, "", "time of boxes only over sorted, " + key, 1);
+        const double off = std::max(std::fabs(m.variant / m.sorted - 1), std::fabs(m.virtually / m.sorted - 1));
+        out.number(key + "_within", std::ceil(100 * off), "%", "how far both are from the sorted bodies' time, " + key);
     }
     out.number("crowd", bodies, "", "bodies in a crowd");
 
@@ -130,8 +125,7 @@ void leave_out(const Settings&, lab::Findings& out) {
     auto end = start;
     for (int n = 0; n < 100; ++n) end.step(debris, 0.001);
     out.check("sorted_same_bits",
-              same_bits<mixed::Ball>(start, end, 100) &&
-                  same_bits<mixed::Capsule>(start, end, 100) &&
+              same_bits<mixed::Ball>(start, end, 100) && same_bits<mixed::Capsule>(start, end, 100) &&
                   same_bits<mixed::Box>(start, end, 100),
               "a body among sorted bodies moves as it does alone, to the last bit");
 }

@@ -78,9 +78,7 @@ public:
     void add(const Kind& kind, const BodyState<double>& start) {
         // Every inertia answers with the momentum of a unit spin about an axis: the moment about
         // it.
-        const auto I = [&](int axis) {
-            return kind.inertia.momentum(Vector3<double>::Unit(axis))[axis];
-        };
+        const auto I = [&](int axis) { return kind.inertia.momentum(Vector3<double>::Unit(axis))[axis]; };
         boxes_.add(Box{{I(0), I(1), I(2)}}, start);
     }
     template <class Scene>

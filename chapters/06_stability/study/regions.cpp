@@ -47,8 +47,7 @@ double measured_growth(const Method& method, Complex z) {
 template <class Method>
 double bound(const Method& method, Complex z) {
     const double r = std::abs(stability_function(method, z)), size = std::abs(z);
-    const double terms =
-        1 + size + size * size / 2 + std::pow(size, 3) / 6 + std::pow(size, 4) / 24;
+    const double terms = 1 + size + size * size / 2 + std::pow(size, 3) / 6 + std::pow(size, 4) / 24;
     const double rounding = eps * (32 * terms / r + count * std::fabs(std::log(r)));
     if constexpr (!std::is_same_v<Method, Bdf2>) return rounding;
     const double other = std::abs(1.0 / (2.0 + std::sqrt(1.0 + 2.0 * z)));
@@ -109,8 +108,8 @@ void regions(const Settings& settings, lab::Findings& out) {
 
     Tally tally;
     for_each_stability_function([&](const auto& method) { lay_over(method, tally, out); });
-    std::printf("  %d runs, %d grew, each as |R(z)| says; log of the growth within %.1e\n",
-                tally.points, tally.grew, tally.off);
+    std::printf("  %d runs, %d grew, each as |R(z)| says; log of the growth within %.1e\n", tally.points, tally.grew,
+                tally.off);
     out.check("regions", tally.agree && tally.worst < 1,
               "every run grows where |R(z)| > 1 and decays elsewhere, by the factor |R(z)|");
 
@@ -131,15 +130,11 @@ void regions(const Settings& settings, lab::Findings& out) {
     out.number("spring_wh", wh, "", "omega h of our spring");
     out.number("spring_zeta", settings.zeta, "", "damping ratio of our spring");
     const auto factor = [&](const auto& method) { return std::abs(stability_function(method, z)); };
-    std::printf(
-        "  our spring: a step multiplies by %.3g (explicit Euler), %.3g (midpoint), %.3g (RK4)\n",
-        factor(explicit_euler), factor(midpoint), factor(runge_kutta_4));
-    out.number("spring_explicit", factor(explicit_euler), "",
-               "|R| of explicit Euler on our spring");
+    std::printf("  our spring: a step multiplies by %.3g (explicit Euler), %.3g (midpoint), %.3g (RK4)\n",
+                factor(explicit_euler), factor(midpoint), factor(runge_kutta_4));
+    out.number("spring_explicit", factor(explicit_euler), "", "|R| of explicit Euler on our spring");
     out.number("spring_midpoint", factor(midpoint), "", "|R| of midpoint on our spring");
     out.number("spring_rk4", factor(runge_kutta_4), "", "|R| of RK4 on our spring");
-    out.check(
-        "spring_in_the_plane",
-        factor(explicit_euler) > 1 && factor(midpoint) > 1 && factor(runge_kutta_4) < 1,
-        "our spring lies inside RK4's region and outside those of explicit Euler and midpoint");
+    out.check("spring_in_the_plane", factor(explicit_euler) > 1 && factor(midpoint) > 1 && factor(runge_kutta_4) < 1,
+              "our spring lies inside RK4's region and outside those of explicit Euler and midpoint");
 }

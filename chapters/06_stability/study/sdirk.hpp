@@ -13,8 +13,7 @@ struct Sdirk3 {
     static constexpr int order = 3;
 
     template <class System>
-    timestep::FirstOrder<double> step(const System& f, const timestep::FirstOrder<double>& state,
-                                      double h) const {
+    timestep::FirstOrder<double> step(const System& f, const timestep::FirstOrder<double>& state, double h) const {
         const double gamma = (3 + std::sqrt(3.0)) / 6;
         const auto rate_at = [&](double t, double from) {
             const timestep::FirstOrder<double> before{t - gamma * h, from};

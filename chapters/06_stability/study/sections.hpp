@@ -14,8 +14,7 @@ inline constexpr double pi = std::numbers::pi;
 inline std::string times(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.2g", value);
-    if (value >= 99.5 && value < 1e6)
-        std::snprintf(text, sizeof text, "%.0f", std::strtod(text, nullptr));
+    if (value >= 99.5 && value < 1e6) std::snprintf(text, sizeof text, "%.0f", std::strtod(text, nullptr));
     return std::string("× ") + text;
 }
 

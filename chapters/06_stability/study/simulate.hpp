@@ -63,8 +63,7 @@ private:
 // thousandth of it. Else the last quarter of a long run is compared with the
 // second: what neither grows nor shrinks is bounded, and that is stable.
 template <class Model>
-bool grows(const OnNumbers<Model>& method, const Model& model, double omega, double h,
-           long quarter = 32'768) {
+bool grows(const OnNumbers<Model>& method, const Model& model, double omega, double h, long quarter = 32'768) {
     Watched run(method, model, omega, h);
     const double first = run.largest_of(64);
     double second = 0, last = 0;

@@ -29,14 +29,12 @@ std::vector<double> decay(const Method& method, lab::Findings& out) {
         table.row({double(y.size()), state.y, std::fabs(state.y)});
         y.push_back(state.y);
     });
-    std::printf("  %-20s after 1 step %9.2g, after 2 %9.2g, after 10 %9.2g\n", method.name, y[1],
-                y[2], y[10]);
+    std::printf("  %-20s after 1 step %9.2g, after 2 %9.2g, after 10 %9.2g\n", method.name, y[1], y[2], y[10]);
     return y;
 }
 
 void decays(lab::Findings& out) {
-    std::printf("  y' = %g y, steps of %g s; the exact y is zero after one of them\n", lambda,
-                step);
+    std::printf("  y' = %g y, steps of %g s; the exact y is zero after one of them\n", lambda, step);
     const double z = step * lambda;
     out.number("stiff_z", z, "", "h lambda of the stiff decay", 4);
     out.number("stiff_lambda", lambda, "1/s", "the rate of the stiff decay", 4);
@@ -59,26 +57,21 @@ void decays(lab::Findings& out) {
                   std::fabs(explicit_y[10]) > 1e29 && rk4[10] > std::fabs(explicit_y[10]),
               "explicit Euler blows a stiff decay up, and RK4 faster");
     bool alternates = std::fabs(ringing[10]) > 0.9;
-    for (std::size_t n = 1; n < ringing.size(); ++n)
-        alternates = alternates && ringing[n] * ringing[n - 1] < 0;
+    for (std::size_t n = 1; n < ringing.size(); ++n) alternates = alternates && ringing[n] * ringing[n - 1] < 0;
     out.check("stiff_rings", alternates,
               "implicit midpoint rings: it changes its sign with each step and hardly shrinks");
-    out.check(
-        "stiff_dies",
-        implicit_y[1] > 0 && implicit_y[1] < 0.001 && follows(implicit_y, factor(implicit_euler)),
-        "implicit Euler lets a stiff decay die in one step");
+    out.check("stiff_dies", implicit_y[1] > 0 && implicit_y[1] < 0.001 && follows(implicit_y, factor(implicit_euler)),
+              "implicit Euler lets a stiff decay die in one step");
     // On the left |R| is largest on the imaginary axis (maximum principle): the R of the first two
     // has no pole there. That of BDF2 jumps along z < −½, but it is the larger of two roots, whose
     // size is continuous and bows to the principle as each root's does (it is subharmonic).
     bool a_stable = true;
     for (double y = 1e-6; y < 1e8; y *= 1.1)
-        for (const Complex r :
-             {stability_function(implicit_euler, {0, y}),
-              stability_function(implicit_midpoint, {0, y}), stability_function(bdf2, {0, y})})
+        for (const Complex r : {stability_function(implicit_euler, {0, y}),
+                                stability_function(implicit_midpoint, {0, y}), stability_function(bdf2, {0, y})})
             a_stable = a_stable && std::abs(r) <= 1 + 8 * eps;
-    out.check(
-        "a_stable", a_stable,
-        "implicit Euler, implicit midpoint and BDF2 never grow where the exact motion decays");
+    out.check("a_stable", a_stable,
+              "implicit Euler, implicit midpoint and BDF2 never grow where the exact motion decays");
     out.check("l_stable",
               std::abs(stability_function(implicit_euler, -1e12)) < 1e-6 &&
                   std::abs(stability_function(bdf2, -1e12)) < 1e-6 &&
@@ -105,8 +98,7 @@ double measured(const Method& method, double wh) {
     const Spring spring(1.0);
     const int fade = 200, count = 3000;
     State<double> before{0, 1.0, 0.0}, state = before;
-    if constexpr (TwoStepMethod<Method, Spring<double>, State<double>>)
-        state = method.start(spring, before, wh);
+    if constexpr (TwoStepMethod<Method, Spring<double>, State<double>>) state = method.start(spring, before, wh);
     double log_growth = 0;
     for (int i = 0; i < fade + count; ++i) {
         State<double> next;
@@ -143,9 +135,9 @@ void swings(lab::Findings& out) {
     // Semi-implicit Euler's ellipse is √((2 + ωh)/(2 − ωh)) times as long as wide: 3 at the mark
     // nearest below 2, which stands at the ends of the count. The others' are rounder; the smaller
     // of BDF2's two motions, 0.94 times the larger a step for the longest ones here, has faded.
-    const double worst = std::max({swing(implicit_midpoint, out), swing(implicit_euler, out),
-                                   swing(bdf2, out), swing(runge_kutta_4, out),
-                                   swing(semi_implicit_euler, out), swing(velocity_verlet, out)});
+    const double worst =
+        std::max({swing(implicit_midpoint, out), swing(implicit_euler, out), swing(bdf2, out),
+                  swing(runge_kutta_4, out), swing(semi_implicit_euler, out), swing(velocity_verlet, out)});
     const double bound = std::log(3.0) / 3000;
     out.check("swings", worst < bound,
               "the growth of oscillations is the one predicted, for every method of the picture");
@@ -160,17 +152,12 @@ void swings(lab::Findings& out) {
     }
     const auto stable = [](double wh) { return factor(runge_kutta_4, wh) <= 1 + 1e-12; };
     const double limit = largest_stable_step(stable, 10.0);
-    std::printf(
-        "  implicit midpoint keeps every oscillation within %.1e; RK4 up to omega h = %.6f\n", off,
-        limit);
-    out.number("rk4_swing_limit", limit, "",
-               "largest omega h at which RK4 does not grow on an oscillation", 4);
+    std::printf("  implicit midpoint keeps every oscillation within %.1e; RK4 up to omega h = %.6f\n", off, limit);
+    out.number("rk4_swing_limit", limit, "", "largest omega h at which RK4 does not grow on an oscillation", 4);
     out.number("rk4_frame_limit", 60 * limit, "rad/s", "the omega of that at 60 Hz", 3);
     out.number("semi_frame_limit", 60 * 2, "rad/s", "the omega of omega h = 2 at 60 Hz");
-    out.check("rk4_swing_limit", std::fabs(limit - std::sqrt(8.0)) < 1e-9,
-              "RK4 is stable up to omega h = sqrt 8");
-    out.check("p_stable", off < 8 * eps,
-              "implicit midpoint keeps the size of an oscillation for every omega h");
+    out.check("rk4_swing_limit", std::fabs(limit - std::sqrt(8.0)) < 1e-9, "RK4 is stable up to omega h = sqrt 8");
+    out.check("p_stable", off < 8 * eps, "implicit midpoint keeps the size of an oscillation for every omega h");
     out.check("not_p_stable", kept && damped,
               "implicit Euler and BDF2 damp every oscillation; semi-implicit Euler keeps it up to "
               "omega h = 2");

@@ -64,8 +64,7 @@ void fates(lab::Findings& out) {
             Fate f = fate(method.spring, Spring<double>(omega), omega);
             if (f == rings) f = swings;  // no damper: so it should
             springs.row({omega, row, double(f)});
-            if (omega > 200)
-                (implicit ? implicit_stay : explicit_gone) &= (f == blows_up) != implicit;
+            if (omega > 200) (implicit ? implicit_stay : explicit_gone) &= (f == blows_up) != implicit;
         }
     };
     const auto of_both = [&](const OnSprings& method) {
@@ -81,13 +80,10 @@ void fates(lab::Findings& out) {
     of_both(bdf2), of_both(implicit_euler), of_both(implicit_midpoint);
     of_springs(velocity_verlet), of_springs(verlet);  // a damper needs the velocity
     of_both(semi_implicit_euler_new_damping), of_both(semi_implicit_euler);
-    of_both(runge_kutta_4), of_both(heun), of_both(midpoint), of_both(constant_acceleration),
-        of_both(explicit_euler);
-    out.check(
-        "fates_of_springs", explicit_gone && implicit_stay,
-        "above 200 rad/s every method but the three implicit ones blows up, and these never do");
-    out.check("only_midpoint_rings", ring,
-              "of all methods only implicit midpoint rings with a hard damper");
+    of_both(runge_kutta_4), of_both(heun), of_both(midpoint), of_both(constant_acceleration), of_both(explicit_euler);
+    out.check("fates_of_springs", explicit_gone && implicit_stay,
+              "above 200 rad/s every method but the three implicit ones blows up, and these never do");
+    out.check("only_midpoint_rings", ring, "of all methods only implicit midpoint rings with a hard damper");
 
     // Its velocity after a kick, until a tenth of it is left.
     const DampedSpring<double> damper(10, 1e6);
@@ -96,11 +92,8 @@ void fates(lab::Findings& out) {
     for (; std::fabs(state.v) > 0.1; ++n) state = implicit_midpoint.step(damper, state, h);
     // Each step multiplies it by (1 − c/2)/(1 + c/2) ≈ −(1 − 4/c), c = 2ζωh.
     const double predicted = std::log(10) * 2 * 1e6 * 10 * h / 4;
-    std::printf(
-        "  kicked against zeta = 1e6, implicit midpoint rings: a tenth is left after %ld steps\n",
-        n);
-    out.number("ring_minutes", double(n) * h / 60, "min", "until the ringing is down to a tenth",
-               2);
+    std::printf("  kicked against zeta = 1e6, implicit midpoint rings: a tenth is left after %ld steps\n", n);
+    out.number("ring_minutes", double(n) * h / 60, "min", "until the ringing is down to a tenth", 2);
     out.check("ring_lasts", std::fabs(double(n) / predicted - 1) < 1e-3,
               "the ringing of implicit midpoint takes log(10) c/4 steps to fall to a tenth");
 }
@@ -110,10 +103,8 @@ void fates(lab::Findings& out) {
 void stiff_springs(const Settings&, lab::Findings& out) {
     out.section("Stiff springs and hard dampers at 60 Hz");
     const std::vector<double> omegas{1, 10, 100, 1e3, 1e4, 1e8};
-    auto& springs = out.table("stiff_springs.tsv",
-                              {"method", "ω = 1", "10", "100", "1000", "10⁴", "10⁸ rad/s"});
-    std::printf("  %-34s %s\n", "after ten seconds, a spring of",
-                "1, 10, 100, 1e3, 1e4, 1e8 rad/s:");
+    auto& springs = out.table("stiff_springs.tsv", {"method", "ω = 1", "10", "100", "1000", "10⁴", "10⁸ rad/s"});
+    std::printf("  %-34s %s\n", "after ten seconds, a spring of", "1, 10, 100, 1e3, 1e4, 1e8 rad/s:");
     bool as_predicted = true;
     const auto spring_row = [&](const OnSprings& method) {
         std::vector<lab::Cell> cells{method.name};
@@ -126,8 +117,7 @@ void stiff_springs(const Settings&, lab::Findings& out) {
             // of the swing decides.)
             const double s = omega * h;
             double largest = 0;
-            for (const auto& each : method.multipliers(0, s))
-                largest = std::max(largest, double(std::abs(each)));
+            for (const auto& each : method.multipliers(0, s)) largest = std::max(largest, double(std::abs(each)));
             const double grown = ten_seconds * std::log10(largest);
             const bool gone = what.starts_with("gone");
             if (grown > 7 || grown < 5) as_predicted = as_predicted && gone == (grown > 6);

@@ -4,10 +4,8 @@
 
 int main(int argc, char** argv) {
     Settings settings;
-    lab::Program program("stability",
-                         "stiff springs, hard damping, absurd numbers: what survives?");
-    program.option("--omega", settings.omega, lab::above_zero,
-                   "angular frequency of your spring, rad/s");
+    lab::Program program("stability", "stiff springs, hard damping, absurd numbers: what survives?");
+    program.option("--omega", settings.omega, lab::above_zero, "angular frequency of your spring, rad/s");
     program.option("--zeta", settings.zeta, lab::zero_or_more, "its damping ratio");
     program.option("--step", settings.step, lab::above_zero, "time step, s");
     return program.run(argc, argv, [&](lab::Findings& out) {

@@ -58,28 +58,22 @@ Energy swing(const Method& method, double angle, int steps_per_frame, const Visi
     const double first = pendulum.energy(start);
     Energy seen;
     long n = 0;
-    run(method, pendulum, start, 1.0 / steps_per_frame, frames * steps_per_frame,
-        [&](const State<V>& s) {
-            const double now = pendulum.energy(s) / first;
-            seen.least = std::min(seen.least, now), seen.most = std::max(seen.most, now),
-            seen.end = now;
-            if (n++ % steps_per_frame == 0) visit(n / steps_per_frame, now);
-        });
+    run(method, pendulum, start, 1.0 / steps_per_frame, frames * steps_per_frame, [&](const State<V>& s) {
+        const double now = pendulum.energy(s) / first;
+        seen.least = std::min(seen.least, now), seen.most = std::max(seen.most, now), seen.end = now;
+        if (n++ % steps_per_frame == 0) visit(n / steps_per_frame, now);
+    });
     return seen;
 }
 
 void pendulums(lab::Findings& out) {
-    auto& table = out.table(
-        "drift.tsv", {"minutes", "semi-implicit Euler", "four steps per frame", "Runge-Kutta 4"});
+    auto& table = out.table("drift.tsv", {"minutes", "semi-implicit Euler", "four steps per frame", "Runge-Kutta 4"});
     std::vector<double> one, four, kutta;
-    const auto into = [](std::vector<double>& all) {
-        return [&all](long, double energy) { all.push_back(energy); };
-    };
+    const auto into = [](std::vector<double>& all) { return [&all](long, double energy) { all.push_back(energy); }; };
     const Energy semi = swing(semi_implicit_euler, 1, 1, into(one)),
                  shorter = swing(semi_implicit_euler, 1, 4, into(four)),
                  exact = swing(runge_kutta_4, 1, 1, into(kutta));
-    for (std::size_t i = 0; i < kutta.size(); i += 60)
-        table.row({double(i) / 3600, one[i], four[i], kutta[i]});
+    for (std::size_t i = 0; i < kutta.size(); i += 60) table.row({double(i) / 3600, one[i], four[i], kutta[i]});
 
     // It is chaotic: of other starts close by, too.
     bool all_drift = true, all_stay = true;
@@ -101,14 +95,11 @@ void pendulums(lab::Findings& out) {
     };
     print("semi-implicit Euler", semi), print("semi-implicit Euler, four steps per frame", shorter),
         print("Runge-Kutta 4", exact);
-    out.number("drift_turn", turn, "",
-               "ωh of the double pendulum's fastest small oscillation, a step per frame", 3);
+    out.number("drift_turn", turn, "", "ωh of the double pendulum's fastest small oscillation, a step per frame", 3);
     out.number("drift_most", semi.most, "",
-               "the most energy of the double pendulum under semi-implicit Euler, over the first",
-               2);
+               "the most energy of the double pendulum under semi-implicit Euler, over the first", 2);
     out.number("drift_shorter_most", shorter.most, "", "the same with four steps per frame", 2);
-    out.number("drift_kutta", 100 * (1 - exact.end), "%",
-               "what Runge-Kutta 4 loses in the same time", 2);
+    out.number("drift_kutta", 100 * (1 - exact.end), "%", "what Runge-Kutta 4 loses in the same time", 2);
     out.check("pendulum_drifts", all_drift && all_stay && semi.most > 2 && shorter.most > 2,
               "in ten minutes at 60 Hz, from eleven starts, the energy of the double pendulum gets "
               "above twice or below half the first under "
@@ -123,9 +114,8 @@ void one_pendulum(lab::Findings& out) {
         const Pendulum pendulum(1.0);
         const State<double> start{0, from, 0};
         double energy = 0;
-        run(semi_implicit_euler, pendulum, start, turn, 100'000L, [&](const State<double>& s) {
-            energy = std::max(energy, pendulum.energy(s) / pendulum.energy(start));
-        });
+        run(semi_implicit_euler, pendulum, start, turn, 100'000L,
+            [&](const State<double>& s) { energy = std::max(energy, pendulum.energy(s) / pendulum.energy(start)); });
         return energy;
     };
     const double seen = most(long_turn), still = most(short_turn);
@@ -135,8 +125,7 @@ void one_pendulum(lab::Findings& out) {
         from, long_turn, seen, short_turn, still);
     out.number("pendulum_from", from, "rad", "where the pendulum is let go");
     out.number("pendulum_turn", long_turn, "", "its ωh, the long step");
-    out.number("pendulum_most", seen, "", "its most energy in 100,000 long steps, over the first",
-               2);
+    out.number("pendulum_most", seen, "", "its most energy in 100,000 long steps, over the first", 2);
     out.check("pendulum_needs_short_steps", seen > 10 && still < 1.5,
               "let go at 2.5 rad, a pendulum has more than ten times its energy within 100,000 "
               "steps of ωh = 1.1, and with ωh = 0.5 less than 1.5 "
@@ -155,15 +144,10 @@ void turning(lab::Findings& out) {
     const State<V> start{0, {0, 0}, {1, 0}};
     const double semi = run(semi_implicit_euler, Turning{rate}, start, h, 3600L).v.norm();
     const double kutta = run(runge_kutta_4, Turning{rate}, start, h, 3600L).v.norm();
-    const double predicted =
-        std::pow(1 + rate * rate * h * h, 1800);  // explicit Euler's, of the velocity
-    std::printf(
-        "  a = Omega x v, 1 rad/s, 60 Hz: in a minute the speed x %.4g, Runge-Kutta 4 x %.9f\n",
-        semi, kutta);
-    out.number("turning_speed", semi, "",
-               "what a minute of a = Ω × v multiplies the speed by, 1 rad/s at 60 Hz", 4);
-    out.check("turning_grows",
-              std::abs(semi / predicted - 1) < 1e-9 && semi > 1.6 && std::abs(kutta - 1) < 1e-6,
+    const double predicted = std::pow(1 + rate * rate * h * h, 1800);  // explicit Euler's, of the velocity
+    std::printf("  a = Omega x v, 1 rad/s, 60 Hz: in a minute the speed x %.4g, Runge-Kutta 4 x %.9f\n", semi, kutta);
+    out.number("turning_speed", semi, "", "what a minute of a = Ω × v multiplies the speed by, 1 rad/s at 60 Hz", 4);
+    out.check("turning_grows", std::abs(semi / predicted - 1) < 1e-9 && semi > 1.6 && std::abs(kutta - 1) < 1e-6,
               "under semi-implicit Euler a step multiplies the speed by √(1 + Ω²h²), as under "
               "explicit Euler; under Runge-Kutta 4 the speed stays "
               "within a millionth in a minute");

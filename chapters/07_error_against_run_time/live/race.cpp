@@ -28,9 +28,8 @@ constexpr long looks = 60;                   // every 1/15 s: four seconds of ga
 
 // The other scene: a tether on a line. It draws the mass to the nearer of two places, so the force
 // jumps halfway.
-constexpr double nearer = 0.25;  // m: there, and as far on the other side
-constexpr double quarter =
-    1.9106332362490186;  // rad, from one metre to the middle: its cosine is −1/3
+constexpr double nearer = 0.25;                 // m: there, and as far on the other side
+constexpr double quarter = 1.9106332362490186;  // rad, from one metre to the middle: its cosine is −1/3
 
 // One method's points: of a rate the largest error, m, and the best time of a run so far, µs; both
 // as powers of ten.
@@ -44,8 +43,7 @@ struct Runner {
         if (measured > 0 && error[0] <= wanted) return time[0];
         for (std::size_t k = 1; k < measured; ++k)
             if (error[k] <= wanted)
-                return time[k - 1] + (wanted - error[k - 1]) / (error[k] - error[k - 1]) *
-                                         (time[k] - time[k - 1]);
+                return time[k - 1] + (wanted - error[k - 1]) / (error[k] - error[k - 1]) * (time[k] - time[k - 1]);
         return never;
     }
 
@@ -83,14 +81,12 @@ public:
             return;
         }
         const auto measure_in_turn = [&](const auto& method) {
-            if (i++ == turn % runners.size())
-                measure(method, runners[i - 1], turn / runners.size());
+            if (i++ == turn % runners.size()) measure(method, runners[i - 1], turn / runners.size());
         };
         std::apply([&](const auto&... method) { (measure_in_turn(method), ...); }, methods);
         turn = (turn + 1) % (runners.size() * most_rates);
         for (Runner& runner : runners) {
-            const double time =
-                runner.time_for(level());  // that none gets there, only all of its rates can say
+            const double time = runner.time_for(level());  // that none gets there, only all of its rates can say
             if (time < never)
                 runner.needs = live::power_of_ten(time);
             else if (runner.measured == runner.rates)
@@ -122,8 +118,8 @@ public:
         const Runner& last = runners.back();
         if (last.measured > 0) p.text(last.time[0] - 0.7, last.error[0] - 0.2, "15 Hz");
         if (last.measured > 2) p.text(last.time[2] - 0.7, last.error[2] - 0.2, "60 Hz");
-        const bool all_known = std::all_of(runners.begin(), runners.end(),
-                                           [](const Runner& r) { return r.needs.known; });
+        const bool all_known =
+            std::all_of(runners.begin(), runners.end(), [](const Runner& r) { return r.needs.known; });
         if (steps <= warm) return p.text(1.7, 2.1, "warming up");
         if (all_known && !first) return;  // none gets there
         p.text(1.7, 2.1, "first there:");
@@ -139,10 +135,8 @@ public:
     bool handle(double& x, double& y) const override { return x = 2, y = level(), true; }
 
 private:
-    static constexpr long warm = 24;  // steps
-    double level() const {
-        return live::log10(wanted / 100);
-    }  // the wanted error, as a power of ten
+    static constexpr long warm = 24;                            // steps
+    double level() const { return live::log10(wanted / 100); }  // the wanted error, as a power of ten
     template <class Method>
     void warm_up(const Method& method, std::size_t i) {
         if (i != static_cast<std::size_t>(steps) % runners.size()) return;
@@ -161,9 +155,8 @@ private:
             runner.measured = rate + 1;
         }
         // A clock cannot see a run that takes 100 ns. So we time as many as take two milliseconds.
-        volatile double
-            pulled = 1,
-            read = 0;  // what nobody reads, or what is the same again, a compiler leaves out
+        volatile double pulled = 1,
+                        read = 0;  // what nobody reads, or what is the same again, a compiler leaves out
         for (long& runs = runner.batch[rate]; runs < 1 << 20; runs *= 2) {
             const double begin = live::clock();
             for (long run = 0; run < runs; ++run) {
@@ -175,8 +168,7 @@ private:
             if (took < 2) continue;
             // Whatever else the machine does makes a run longer, nothing makes it shorter: the best
             // counts.
-            runner.time[rate] =
-                std::fmin(runner.time[rate], live::log10(1000 * took / static_cast<double>(runs)));
+            runner.time[rate] = std::fmin(runner.time[rate], live::log10(1000 * took / static_cast<double>(runs)));
             break;
         }
         // Half the steps never take longer than all of them: what says so was disturbed.
@@ -191,8 +183,7 @@ private:
                    : advance(method, Tether(omega, nearer), state, steps, h);
     }
     template <class Method, class Force>
-    static void advance(const Method& method, const Force& force, State<double>& state, long steps,
-                        double h) {
+    static void advance(const Method& method, const Force& force, State<double>& state, long steps, double h) {
         for (long n = 0; n < steps; ++n) state = method.step(force, state, h);
     }
     // The true place after this many looks; by the tether each way from one side to the other is
@@ -217,8 +208,8 @@ private:
 
     live::Choice scene{this, "scene", "scene", "a spring|a force that jumps"};
     live::LogSlider wanted{this, "wanted", "wanted error", 1e-13, 100, 10, "%"};
-    std::array<Runner, 4> runners = std::apply(
-        [this](const auto&... method) { return std::array{Runner(this, method)...}; }, methods);
+    std::array<Runner, 4> runners =
+        std::apply([this](const auto&... method) { return std::array{Runner(this, method)...}; }, methods);
     std::size_t turn = 0;
     volatile double warmed = 0;  // what nobody reads a compiler leaves out
 };

@@ -18,8 +18,7 @@ using namespace contest;
 namespace {
 
 // The points of one method in one scene, steps growing shorter.
-std::vector<Point> line(const std::vector<Point>& points, const std::string& method,
-                        const std::string& library) {
+std::vector<Point> line(const std::vector<Point>& points, const std::string& method, const std::string& library) {
     std::vector<Point> line;
     for (const Point& p : points)
         if (p.method == method && p.library == library) line.push_back(p);
@@ -51,9 +50,7 @@ double slope(const char* method, double rate) {
     const Scene scene = contest::spring();
     for (const Entry& entry : scene.entries)
         if (entry.method == method && entry.library == "Timestep") {
-            const auto error = [&](double hz) {
-                return watched(scene, entry, std::lround(hz * duration)).error_max;
-            };
+            const auto error = [&](double hz) { return watched(scene, entry, std::lround(hz * duration)).error_max; };
             return std::log2(error(rate) / error(4 * rate)) / 2;
         }
     return std::nan("");
@@ -64,12 +61,10 @@ void springs(const All& all, lab::Findings& out) {
     const auto of = [&](const char* method) { return line(spring, method, "Timestep"); };
     const auto semi = of("semi-implicit Euler"), verlet = of("Verlet"), rk4 = of("Runge-Kutta 4");
     out.check("slopes",
-              std::fabs(slope("semi-implicit Euler", 960) - 1) < 0.05 &&
-                  std::fabs(slope("Verlet", 960) - 2) < 0.05 &&
+              std::fabs(slope("semi-implicit Euler", 960) - 1) < 0.05 && std::fabs(slope("Verlet", 960) - 2) < 0.05 &&
                   std::fabs(slope("Runge-Kutta 4", 60) - 4) < 0.1,
               "the lines of semi-implicit Euler, Verlet and RK4 have the slopes 1, 2 and 4");
-    percent(out, "semi_60", at(semi, 60).error_max,
-            "error of semi-implicit Euler at 60 Hz on the spring");
+    percent(out, "semi_60", at(semi, 60).error_max, "error of semi-implicit Euler at 60 Hz on the spring");
     percent(out, "verlet_60", at(verlet, 60).error_max, "error of Verlet at 60 Hz on the spring");
     percent(out, "rk4_15", at(rk4, 15).error_max, "error of RK4 at 15 Hz on the spring");
     out.check("verlet_by_half_a_step", at(verlet, 60).error_max < 0.3 * at(semi, 60).error_max,
@@ -79,12 +74,10 @@ void springs(const All& all, lab::Findings& out) {
     const double h = 1.0 / 60;
     const timestep::State start{0, 1.0, 0.0};
     const timestep::State earlier{0, 1.0, 0.0 - h / 2 * model.acceleration(1.0)};
-    const int n =
-        230;  // each step rounds its displacement by ε, and keeps that for the steps to come
+    const int n = 230;  // each step rounds its displacement by ε, and keeps that for the steps to come
     out.check("half_a_step_before",
               std::fabs(run(timestep::semi_implicit_euler, model, earlier, h, n).x -
-                        run(timestep::verlet, model, start, h, n).x) <
-                  n * n * std::numeric_limits<double>::epsilon(),
+                        run(timestep::verlet, model, start, h, n).x) < n * n * std::numeric_limits<double>::epsilon(),
               "with the velocity of half a step before the start semi-implicit Euler goes where "
               "Verlet goes");
     // Errors alone, so that a slow machine comes as far as a fast one.
@@ -114,8 +107,7 @@ void springs(const All& all, lab::Findings& out) {
 
     const auto& stiff = all.at("stiff_spring");
     const auto stiff_semi = line(stiff, "semi-implicit Euler", "Timestep");
-    percent(out, "stiff_semi_60", at(stiff_semi, 60).error_max,
-            "error of semi-implicit Euler at 60 Hz, stiff spring");
+    percent(out, "stiff_semi_60", at(stiff_semi, 60).error_max, "error of semi-implicit Euler at 60 Hz, stiff spring");
     out.check(
         "stiff_nobody_at_60",
         [&] {
@@ -127,24 +119,20 @@ void springs(const All& all, lab::Findings& out) {
 
     const auto& two = all.at("two_time_scales");
     const auto middle = line(two, "implicit midpoint", "Timestep");
-    percent(out, "two_midpoint_60", at(middle, 60).error_max,
-            "error of implicit midpoint at 60 Hz, two time scales");
-    out.check(
-        "two_needs_implicit",
-        at(middle, 60).error_max < 0.1 &&
-            at(line(two, "semi-implicit Euler", "Timestep"), 60).diverged &&
-            at(line(two, "Runge-Kutta 4", "Timestep"), 60).diverged,
-        "at 60 Hz implicit midpoint follows the slow motion, and explicit methods have blown up");
+    percent(out, "two_midpoint_60", at(middle, 60).error_max, "error of implicit midpoint at 60 Hz, two time scales");
+    out.check("two_needs_implicit",
+              at(middle, 60).error_max < 0.1 && at(line(two, "semi-implicit Euler", "Timestep"), 60).diverged &&
+                  at(line(two, "Runge-Kutta 4", "Timestep"), 60).diverged,
+              "at 60 Hz implicit midpoint follows the slow motion, and explicit methods have blown up");
 }
 
 void flight(const All& all, lab::Findings& out) {
     bool as_said = true;
     for (const Point& p : all.at("projectile"))
         if (p.library == "Timestep") {
-            const bool euler = p.method == "explicit Euler" || p.method == "implicit Euler" ||
-                               p.method == "semi-implicit Euler";
-            as_said =
-                as_said && (euler ? p.asked > marks || p.error_max > 1e-2 : p.error_max < 1e-10);
+            const bool euler =
+                p.method == "explicit Euler" || p.method == "implicit Euler" || p.method == "semi-implicit Euler";
+            as_said = as_said && (euler ? p.asked > marks || p.error_max > 1e-2 : p.error_max < 1e-10);
         }
     out.check("flight_exact", as_said,
               "without air our methods are exact at every rate, to roundoff, but for the three "
@@ -154,12 +142,9 @@ void flight(const All& all, lab::Findings& out) {
 void bounces(const All& all, lab::Findings& out) {
     const auto& smooth = all.at("drag");
     const auto& ball = all.at("bouncing_ball");
-    const auto of = [](const auto& points, const char* method) {
-        return line(points, method, "Timestep");
-    };
+    const auto of = [](const auto& points, const char* method) { return line(points, method, "Timestep"); };
     const auto rk4 = of(ball, "Runge-Kutta 4"), semi = of(ball, "semi-implicit Euler");
-    percent(out, "bounce_semi_60", at(semi, 60).error_max,
-            "error of semi-implicit Euler at 60 Hz, bouncing");
+    percent(out, "bounce_semi_60", at(semi, 60).error_max, "error of semi-implicit Euler at 60 Hz, bouncing");
     percent(out, "bounce_rk4_60", at(rk4, 60).error_max, "error of RK4 at 60 Hz, bouncing");
     const double smooth_rk4 = at(of(smooth, "Runge-Kutta 4"), 60).error_max;
     out.number("drag_rk4_60", smooth_rk4, "", "error of RK4 at 60 Hz, no bounce", 1);
@@ -174,15 +159,13 @@ void bounces(const All& all, lab::Findings& out) {
             least = std::min(least, p.error_max);
             largest = std::max(largest, p.error_max);
         }
-    out.number("bounce_spread", largest / least, "",
-               "the largest error over the least at 60 Hz, bouncing", 1);
+    out.number("bounce_spread", largest / least, "", "the largest error over the least at 60 Hz, bouncing", 1);
 }
 
 // What semi-implicit Euler takes for ten percent, less what the best takes, where nothing is stiff.
 void ten_percent(const All& all, lab::Findings& out) {
     double most = 0, ratio = 0;
-    for (const char* scene :
-         {"projectile", "drag", "spring", "damped_spring", "spring_3d", "bouncing_ball"}) {
+    for (const char* scene : {"projectile", "drag", "spring", "damped_spring", "spring_3d", "bouncing_ball"}) {
         const auto& points = all.at(scene);
         const double semi = seconds_to(line(points, "semi-implicit Euler", "Timestep"), 0.1);
         const auto ours = [](const Point& p) { return p.library == "Timestep"; };
@@ -191,10 +174,8 @@ void ten_percent(const All& all, lab::Findings& out) {
         ratio = std::max(ratio, semi / best);
     }
     out.number("ten_percent_ratio", ratio, "", "and how many times as long, at most", 2);
-    out.number(
-        "springs_a_ms",
-        1e-6 / (at(line(all.at("spring"), "semi-implicit Euler", "Timestep"), 60).seconds / 240),
-        "thousand", "steps of semi-implicit Euler in a millisecond", 3);
+    out.number("springs_a_ms", 1e-6 / (at(line(all.at("spring"), "semi-implicit Euler", "Timestep"), 60).seconds / 240),
+               "thousand", "steps of semi-implicit Euler in a millisecond", 3);
     out.number("ten_percent_loss", most * 1e6, "µs",
                "what semi-implicit Euler takes longer than the best to ten percent, at most", 2);
 }
@@ -212,17 +193,14 @@ Kept rk4_keeps(double h_omega, int directions, int steps) {
     Kept kept;
     for (int i = 0; i < directions; ++i) {
         // Uniform on the sphere: a height, and an angle around.
-        const double height = 2 * (random() / 4294967296.0) - 1,
-                     around = 2 * pi * (random() / 4294967296.0);
+        const double height = 2 * (random() / 4294967296.0) - 1, around = 2 * pi * (random() / 4294967296.0);
         const double wide = std::sqrt(1 - height * height);
-        timestep::RigidState<double> s{0,
-                                       timestep::Quaternion<double>::Identity(),
-                                       {wide * std::cos(around), wide * std::sin(around), height}};
+        timestep::RigidState<double> s{
+            0, timestep::Quaternion<double>::Identity(), {wide * std::cos(around), wide * std::sin(around), height}};
         const double before = kinetic_energy(inertia, s);
         double now = 1;
         for (int step = 0; step < steps; ++step) {
-            s = timestep::unstacked(
-                orientation_scaled(timestep::runge_kutta_4.step(body, stacked(s), h_omega)));
+            s = timestep::unstacked(orientation_scaled(timestep::runge_kutta_4.step(body, stacked(s), h_omega)));
             now = kinetic_energy(inertia, s) / before;
             if (step == 0 && now > 1) kept.share += 1.0 / directions;
             kept.most = std::fmax(kept.most, now - 1);
@@ -235,33 +213,26 @@ Kept rk4_keeps(double h_omega, int directions, int steps) {
 void spins(const All& all, lab::Findings& out) {
     const int directions = 2000, steps = 300;
     const Kept one = rk4_keeps(1, directions, steps), fast_spin = rk4_keeps(2.5, directions, steps);
-    out.number("spin_directions", directions, "",
-               "directions of spin from which RK4 has stepped the box");
+    out.number("spin_directions", directions, "", "directions of spin from which RK4 has stepped the box");
     out.number("spin_steps", steps, "", "steps from each");
     out.number("spin_rk4_turns", 60 / (2 * pi), "", "turns a second at h|omega| = 1 and 60 Hz", 2);
-    percent(out, "spin_rk4_share", one.share,
-            "directions from which RK4's first step adds energy, h|omega| = 1");
+    percent(out, "spin_rk4_share", one.share, "directions from which RK4's first step adds energy, h|omega| = 1");
     percent(out, "spin_rk4_most", one.most, "the most energy that RK4 had added, h|omega| = 1");
     percent(out, "spin_rk4_lost", 1 - one.least, "the most that was lost in the end, h|omega| = 1");
-    percent(out, "spin_rk4_most_fast", fast_spin.most,
-            "the most energy that RK4 had added, h|omega| = 2.5");
-    percent(out, "spin_rk4_lost_fast", 1 - fast_spin.least,
-            "the most that was lost in the end, h|omega| = 2.5");
+    percent(out, "spin_rk4_most_fast", fast_spin.most, "the most energy that RK4 had added, h|omega| = 2.5");
+    percent(out, "spin_rk4_lost_fast", 1 - fast_spin.least, "the most that was lost in the end, h|omega| = 2.5");
     out.check("spin_rk4_slow",
-              one.share > 0.1 && one.most < 1e-3 && one.least > 0.9 && fast_spin.most > 5e-3 &&
-                  fast_spin.least < 0.5,
+              one.share > 0.1 && one.most < 1e-3 && one.least > 0.9 && fast_spin.most > 5e-3 && fast_spin.least < 0.5,
               "at h|omega| = 1 RK4 adds energy from over a tenth of these directions, from none a "
               "thousandth, and "
               "keeps nine tenths in every one of them; at 2.5 it adds over half a percent and "
               "loses over half");
     const auto& box = all.at("dzhanibekov");
     const auto of = [&](const char* method) { return line(box, method, "Timestep"); };
-    const auto rk4 = of("Runge-Kutta 4"), talk = of("one Newton step"),
-               converged = of("implicit, converged");
+    const auto rk4 = of("Runge-Kutta 4"), talk = of("one Newton step"), converged = of("implicit, converged");
     const Point slow = at(rk4, 15), fast = at(talk, 960);
     percent(out, "spin_rk4_15", slow.error_max, "error of RK4 at 15 Hz, free box");
-    percent(out, "spin_talk_60", at(talk, 60).error_max,
-            "error of the talk's solver at 60 Hz, free box");
+    percent(out, "spin_talk_60", at(talk, 60).error_max, "error of the talk's solver at 60 Hz, free box");
     percent(out, "spin_talk_960", fast.error_max, "error of the talk's solver at 960 Hz, free box");
     out.number("spin_time_ratio", fast.seconds / slow.seconds, "",
                "time of the talk's solver at 960 Hz over RK4 at 15 Hz", 2);
@@ -269,9 +240,7 @@ void spins(const All& all, lab::Findings& out) {
               "on a free box RK4 at 15 Hz is nearer to the truth than the talk's solver at 960 Hz");
     out.check("more_iterations", at(talk, 240).error_max < 1.05 * at(converged, 240).error_max,
               "more Newton iterations bring a tumbling box no nearer to the truth");
-    const auto top = [&](const char* method) {
-        return line(all.at("symmetric_top"), method, "Timestep");
-    };
+    const auto top = [&](const char* method) { return line(all.at("symmetric_top"), method, "Timestep"); };
     const auto passive = top("passive");
     bool nearer = true;
     for (const char* other : {"explicit", "dropped", "one Newton step", "implicit, converged"})
@@ -290,8 +259,7 @@ void on_ice(const All& all, lab::Findings& out) {
     const auto passive = line(ice, "passive", "Timestep"),
                air = line(ice, "Runge-Kutta 4 in the air, passive", "Timestep");
     percent(out, "ice_passive_60", at(passive, 60).error_max, "error of passive at 60 Hz, ice");
-    percent(out, "ice_rk4_60", at(air, 60).error_max,
-            "error of passive with RK4 in the air at 60 Hz, ice");
+    percent(out, "ice_rk4_60", at(air, 60).error_max, "error of passive with RK4 in the air at 60 Hz, ice");
     out.check("ice_level", at(air, 60).error_max > 0.5 * at(passive, 60).error_max,
               "on ice RK4 in the air gains nothing");
 }
@@ -321,13 +289,11 @@ void peers(const All& all, lab::Findings& out) {
     if (std::isnan(other.seconds))
         out.text("rk4_odeint_3d", "", "time of RK4 in space, Boost.odeint over ours");
     else
-        out.number("rk4_odeint_3d", other.seconds / here.seconds, "",
-                   "time of RK4 in space, Boost.odeint over ours", 2);
+        out.number("rk4_odeint_3d", other.seconds / here.seconds, "", "time of RK4 in space, Boost.odeint over ours",
+                   2);
     const Cheapest six = cheapest(spring, 1e-6, [](const Point&) { return true; });
-    out.text("six_digits", six.method + " (" + six.library + ")",
-             "the cheapest of all to a millionth on the spring");
-    out.text("peers", there,
-             "libraries that were there; without any of them the page leaves their section out");
+    out.text("six_digits", six.method + " (" + six.library + ")", "the cheapest of all to a millionth on the spring");
+    out.text("peers", there, "libraries that were there; without any of them the page leaves their section out");
 }
 
 }  // namespace

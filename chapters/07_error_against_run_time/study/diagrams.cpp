@@ -34,9 +34,8 @@ std::string in_words(const Cheapest& best) {
 
 void write(const std::vector<Point>& points, lab::Table& table) {
     for (const Point& p : points)
-        table.row({lab::id(p.method), p.library, p.step, std::min(p.error_final, 100.0),
-                   std::min(p.error_max, 100.0), p.seconds, p.evaluations, p.solves,
-                   std::string(p.diverged ? "yes" : "no")});
+        table.row({lab::id(p.method), p.library, p.step, std::min(p.error_final, 100.0), std::min(p.error_max, 100.0),
+                   p.seconds, p.evaluations, p.solves, std::string(p.diverged ? "yes" : "no")});
 }
 
 // What the methods of a table make of 60 Hz: the error, and what a step takes.
@@ -69,8 +68,7 @@ void work_of_a_step(const std::vector<Point>& spring, lab::Findings& out) {
     auto& table = out.table("work.tsv", {"method", "evaluations", "solves", "ns a step"});
     for (const Point& p : spring)
         if (ours(p) && p.asked == 960)
-            table.row(
-                {p.method, p.evaluations / 960, p.solves / 960, rounded(p.seconds / 960 * 1e9)});
+            table.row({p.method, p.evaluations / 960, p.solves / 960, rounded(p.seconds / 960 * 1e9)});
 }
 
 }  // namespace
@@ -82,25 +80,21 @@ All diagrams(const Effort& effort, lab::Findings& out) {
     for (const auto& [id, make] : all_scenes) {
         const Scene scene = make();
         const std::vector<Point> points = measure(scene, effort);
-        write(points, out.table(scene.id + ".tsv",
-                                {"method", "library", "step (s)", "final error", "largest error",
-                                 "run time (s)", "evaluations", "solves", "diverged"}));
+        write(points, out.table(scene.id + ".tsv", {"method", "library", "step (s)", "final error", "largest error",
+                                                    "run time (s)", "evaluations", "solves", "diverged"}));
         std::string best[3];
         for (int i = 0; i < 3; ++i) best[i] = in_words(cheapest(points, accuracies[i], ours));
-        if (id != std::string("spring_3d") &&
-            id != std::string("two_time_scales"))  // these have their figures
-            best_table.row({scene.title + " (" + scene.id + ")", together(best[0]),
-                            together(best[1]), together(best[2])});
+        if (id != std::string("spring_3d") && id != std::string("two_time_scales"))  // these have their figures
+            best_table.row(
+                {scene.title + " (" + scene.id + ")", together(best[0]), together(best[1]), together(best[2])});
         std::printf("  %-17s %s\n", scene.id.c_str(), best[1].c_str());
         all[scene.id] = points;
     }
     work_of_a_step(all["spring"], out);
-    at_sixty(
-        all, "sixty.tsv",
-        {"projectile", "drag", "spring", "damped_spring", "spring_3d", "stiff_spring",
-         "two_time_scales", "bouncing_ball"},
-        {"explicit Euler", "semi-implicit Euler", "Verlet", "implicit midpoint", "Runge-Kutta 4"},
-        out);
+    at_sixty(all, "sixty.tsv",
+             {"projectile", "drag", "spring", "damped_spring", "spring_3d", "stiff_spring", "two_time_scales",
+              "bouncing_ball"},
+             {"explicit Euler", "semi-implicit Euler", "Verlet", "implicit midpoint", "Runge-Kutta 4"}, out);
     at_sixty(all, "sixty_bodies.tsv", {"dzhanibekov", "symmetric_top"},
              {"explicit", "one Newton step", "passive", "Runge-Kutta 4"}, out);
     out.text("processor", lab::processor(), "what the times were measured on");

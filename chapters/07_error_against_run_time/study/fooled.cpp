@@ -73,12 +73,9 @@ void first_round(lab::Findings& out) {
     const auto pass = [&] {
         for (auto& s : all) s = semi_implicit_euler.step(Spring(6.0), s, h);
     };
-    const double first = (made + nanoseconds(pass)) / double(bodies),
-                 later = fastest(pass, 10) / double(bodies);
-    out.number("first_round_ratio", first / later, "",
-               "making the springs and the first round over a later one", 2);
-    std::printf("  making springs and the first round take %.1f times as long as a later one\n",
-                first / later);
+    const double first = (made + nanoseconds(pass)) / double(bodies), later = fastest(pass, 10) / double(bodies);
+    out.number("first_round_ratio", first / later, "", "making the springs and the first round over a later one", 2);
+    std::printf("  making springs and the first round take %.1f times as long as a later one\n", first / later);
 }
 
 // 3. One body waits for its own last step; a thousand do not wait for each other.
@@ -101,19 +98,16 @@ double many_bodies(const Method& method) {
 void one_and_many(lab::Findings& out) {
     const double one = one_body(runge_kutta_4) / one_body(semi_implicit_euler);
     const double many = many_bodies(runge_kutta_4) / many_bodies(semi_implicit_euler);
-    out.number("rk4_over_semi_one", one, "",
-               "a step of RK4 over one of semi-implicit Euler, one body", 2);
+    out.number("rk4_over_semi_one", one, "", "a step of RK4 over one of semi-implicit Euler, one body", 2);
     out.number("rk4_over_semi_many", many, "", "the same, a thousand bodies", 2);
-    std::printf("  RK4 over semi-implicit Euler: %.1f for one body, %.1f for each of a thousand\n",
-                one, many);
+    std::printf("  RK4 over semi-implicit Euler: %.1f for one body, %.1f for each of a thousand\n", one, many);
 }
 
 // 4. Equal runs do not take equal times.
 void equal_runs(lab::Findings& out) {
     std::vector<double> times;
     for (int i = 0; i < 1000; ++i)
-        times.push_back(
-            nanoseconds([&] { sink = run(runge_kutta_4, Spring(6.0), start, h, 1000).x; }));
+        times.push_back(nanoseconds([&] { sink = run(runge_kutta_4, Spring(6.0), start, h, 1000).x; }));
     std::sort(times.begin(), times.end());
     double mean = 0;
     for (const double t : times) mean += t / double(times.size());
@@ -122,8 +116,7 @@ void equal_runs(lab::Findings& out) {
     out.text("median_over_fastest", times[500] / times[0] < 1.05 ? "hardly longer than" : words,
              "median of a thousand equal runs over the fastest");
     out.number("mean_over_fastest", mean / times[0], "", "their mean over the fastest");
-    out.number("slowest_over_fastest", times.back() / times[0], "", "the slowest over the fastest",
-               2);
+    out.number("slowest_over_fastest", times.back() / times[0], "", "the slowest over the fastest", 2);
     std::printf("  a thousand equal runs, over the fastest: median %.2f, mean %.2f, slowest %.1f\n",
                 times[500] / times[0], mean / times[0], times.back() / times[0]);
 }
@@ -136,10 +129,8 @@ void at_rest(lab::Findings& out) {
     };
     const double tiny = std::numeric_limits<double>::denorm_min() * 1e6;
     const double usual = time_of(State{0, 1.0, 0.25}), subnormal = time_of(State{0, tiny, tiny});
-    out.number("subnormal_ratio", subnormal / usual, "",
-               "a step with subnormal numbers over a usual one", 2);
-    std::printf("  a step with subnormal numbers takes %.1f times a usual one\n",
-                subnormal / usual);
+    out.number("subnormal_ratio", subnormal / usual, "", "a step with subnormal numbers over a usual one", 2);
+    std::printf("  a step with subnormal numbers takes %.1f times a usual one\n", subnormal / usual);
 }
 
 // 6. After whole swings the mass turns round: there x hardly depends on the time, and a swing that
@@ -159,14 +150,11 @@ void lucky_end(lab::Findings& out) {
         return std::log2(error_after(semi_implicit_euler, seconds, 4800) /
                          error_after(semi_implicit_euler, seconds, 9600));
     };
-    out.number("order_at_4", order(4.0), "",
-               "order of semi-implicit Euler seen after four whole periods");
+    out.number("order_at_4", order(4.0), "", "order of semi-implicit Euler seen after four whole periods");
     out.number("order_at_4_1", order(4.1), "", "the same, seen a tenth of a period later");
-    out.check(
-        "lucky_end", order(4.0) > 1.5 && std::fabs(order(4.1) - 1) < 0.1,
-        "an error looked at only where the mass turns round shows an order that is not there");
-    std::printf("  semi-implicit Euler's order, seen at 4 s: %.2f; at 4.1 s: %.2f\n", order(4.0),
-                order(4.1));
+    out.check("lucky_end", order(4.0) > 1.5 && std::fabs(order(4.1) - 1) < 0.1,
+              "an error looked at only where the mass turns round shows an order that is not there");
+    std::printf("  semi-implicit Euler's order, seen at 4 s: %.2f; at 4.1 s: %.2f\n", order(4.0), order(4.1));
 }
 
 }  // namespace

@@ -61,30 +61,24 @@ void sleeping(lab::Findings& out) {
     out.section("Who may sleep?");
     const DampedSpring lamp(omega, zeta);
     const auto try_one = [&](const std::string& key, const char* name, auto next) {
-        const double after =
-            sleeps_after(next, calm_for, &out.table("sleep_" + key + ".tsv", {"t", "fastest"}));
-        std::printf("  %-24s %s %.1f s\n", name,
-                    after < longest ? "asleep after" : "still awake after", after);
+        const double after = sleeps_after(next, calm_for, &out.table("sleep_" + key + ".tsv", {"t", "fastest"}));
+        std::printf("  %-24s %s %.1f s\n", name, after < longest ? "asleep after" : "still awake after", after);
         return after;
     };
     const auto by = [&](const auto& method) {
         return [&](const State<double>& s, int) { return method.step(lamp, s, h); };
     };
-    const auto truth = [&](const State<double>&, int n) {
-        return lamp.exact(State<double>{0, start, 0}, n * h);
-    };
+    const auto truth = [&](const State<double>&, int n) { return lamp.exact(State<double>{0, start, 0}, n * h); };
     const double exact = try_one("exact", "exact", truth);
     const double expl = try_one("explicit_euler", explicit_euler.name, by(explicit_euler));
     const double impl = try_one("implicit_euler", implicit_euler.name, by(implicit_euler));
-    const double semi =
-        try_one("semi_implicit_euler", semi_implicit_euler.name, by(semi_implicit_euler));
-    const double constant =
-        try_one("constant_acceleration", "constant acceleration", by(constant_acceleration));
+    const double semi = try_one("semi_implicit_euler", semi_implicit_euler.name, by(semi_implicit_euler));
+    const double constant = try_one("constant_acceleration", "constant acceleration", by(constant_acceleration));
     // The rule on one frame alone: it stands still where it turns round.
     const double hasty = sleeps_after(by(semi_implicit_euler), h);
     const State<double> hung = lamp.exact(State<double>{0, start, 0}, hasty);
-    std::printf("  looked at for one frame alone it sleeps after %.2g s, at %.2g of its swing\n",
-                hasty, hung.x / start);
+    std::printf("  looked at for one frame alone it sleeps after %.2g s, at %.2g of its swing\n", hasty,
+                hung.x / start);
     out.number("sleep_omega", omega, "rad/s", "the lamp");
     out.number("sleep_zeta", zeta, "", "its damping ratio");
     out.number("sleep_exact", exact, "s", "when the lamp may sleep, in truth");
@@ -95,8 +89,7 @@ void sleeping(lab::Findings& out) {
     out.number("sleep_hasty_at", 100 * std::fabs(hung.x) / start, "%",
                "how far out it stops when one frame decides, of where it was let go", 2);
     out.check("sleep_awake",
-              expl == longest && constant > 1.5 * exact && impl < 0.7 * exact &&
-                  std::fabs(semi / exact - 1) < 0.1,
+              expl == longest && constant > 1.5 * exact && impl < 0.7 * exact && std::fabs(semi / exact - 1) < 0.1,
               "a lamp falls asleep within a tenth of the true time by semi-implicit Euler, by "
               "implicit Euler too early, by the "
               "constant-acceleration step too late, and by explicit Euler not at all");

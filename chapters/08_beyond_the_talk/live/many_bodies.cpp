@@ -35,8 +35,8 @@ struct One {
 // Four boxes of half the edges a, b and c.
 struct BoxPack : BodyPack<PrincipalInertia<Pack>> {
     BoxPack(Pack a = 1, Pack b = 1, Pack c = 1)
-        : BodyPack{PrincipalInertia<Pack>(b * b + c * c, c * c + a * a, a * a + b * b),
-                   Quaternion<Pack>::Identity(), Vector3<Pack>::Zero()} {}
+        : BodyPack{PrincipalInertia<Pack>(b * b + c * c, c * c + a * a, a * a + b * b), Quaternion<Pack>::Identity(),
+                   Vector3<Pack>::Zero()} {}
     // Some methods choose their way by the body: they take the boxes one by one.
     template <class Method>
     void step_all(const Method& method) {
@@ -66,8 +66,7 @@ struct BoxPack : BodyPack<PrincipalInertia<Pack>> {
 
 // What a solver takes a box, and whether it has blown one up.
 struct Price {
-    Price(live::Panel* panel, const char* name)
-        : times{panel, name, "× one Newton step", ""}, holds{panel, name} {}
+    Price(live::Panel* panel, const char* name) : times{panel, name, "× one Newton step", ""}, holds{panel, name} {}
     live::Readout times;  // without the solver's colour, which here is that of a box
     live::Fuse holds;
     double least = 1e9;  // ms a box
@@ -85,17 +84,13 @@ public:
         seed = 1, angle = spin * h;
         for (std::size_t i = 0; i < boxes.size(); ++i) {
             // (In braces: in parentheses a compiler may draw the last number first.)
-            BoxPack& box = boxes[i] =
-                BoxPack{random(0.2f, 0.5f), random(0.5f, 0.8f), random(0.8f, 1.3f)};
-            box.q = over_its_length(
-                Quaternion<Pack>{random(0.1f, 1), random(-1, 1), random(-1, 1), random(-1, 1)});
+            BoxPack& box = boxes[i] = BoxPack{random(0.2f, 0.5f), random(0.5f, 0.8f), random(0.8f, 1.3f)};
+            box.q = over_its_length(Quaternion<Pack>{random(0.1f, 1), random(-1, 1), random(-1, 1), random(-1, 1)});
             const Vector3<Pack> way{random(-1, 1), random(-1, 1), random(0.1f, 1)};
-            box.omega =
-                Pack(static_cast<float>(spin)) * random(0.5f, 1) / sqrt(way.squaredNorm()) * way;
+            box.omega = Pack(static_cast<float>(spin)) * random(0.5f, 1) / sqrt(way.squaredNorm()) * way;
             at_start[i] = energy(box);
         }
-        for (std::size_t i = 0; i < few; ++i)
-            truth[i] = boxes[i / lanes].alone(static_cast<int>(i % lanes));
+        for (std::size_t i = 0; i < few; ++i) truth[i] = boxes[i / lanes].alone(static_cast<int>(i % lanes));
         shown = 0;
         look();
     }
@@ -122,8 +117,7 @@ public:
                 const Quaternion<float> q = orientation(i);
                 const double x = static_cast<double>(i % columns) + 0.5,
                              y = wide - static_cast<double>(i / columns) - 0.5;
-                const double to_x = q.x() * q.z() + q.w() * q.y(),
-                             to_y = q.y() * q.z() - q.w() * q.x();
+                const double to_x = q.x() * q.z() + q.w() * q.y(), to_y = q.y() * q.z() - q.w() * q.x();
                 p.move(x - 0.9 * to_x, y - 0.9 * to_y), p.line(x + 0.9 * to_x, y + 0.9 * to_y);
             }
             p.stroke();
@@ -146,9 +140,7 @@ public:
 
 private:
     enum Look { right, slower, faster };
-    static const char* name(Look look) {
-        return look == right ? "exact" : look == slower ? "first" : "explicit";
-    }
+    static const char* name(Look look) { return look == right ? "exact" : look == slower ? "first" : "explicit"; }
 
     std::size_t size() const { return static_cast<std::size_t>(count); }
     std::size_t followed() const { return std::min(few, size()); }
@@ -158,8 +150,7 @@ private:
         Pack all;
         for (std::size_t i = 0; i < lanes; ++i) {
             seed = seed * 1664525u + 1013904223u;
-            all.set(static_cast<int>(i),
-                    least + (largest - least) * (static_cast<float>(seed >> 8) / 16777216.0f));
+            all.set(static_cast<int>(i), least + (largest - least) * (static_cast<float>(seed >> 8) / 16777216.0f));
         }
         return all;
     }
@@ -184,17 +175,13 @@ private:
     }
     // By half a radian or more: q and −q are the same place.
     bool astray(std::size_t i) const {
-        return !alive(i) || std::fabs(orientation(i).cast<double>().dot(truth[i].now.q)) <
-                                0.96891242171064478;  // cos ¼
+        return !alive(i) ||
+               std::fabs(orientation(i).cast<double>().dot(truth[i].now.q)) < 0.96891242171064478;  // cos ¼
     }
 
-    float left(std::size_t i) const {
-        return shares[i / lanes][static_cast<int>(i % lanes)];
-    }                                                           // of its energy
-    bool alive(std::size_t i) const { return left(i) < 1000; }  // no NaN is
-    Look look_of(std::size_t i) const {
-        return left(i) < 0.9f ? slower : left(i) > 1.1f ? faster : right;
-    }
+    float left(std::size_t i) const { return shares[i / lanes][static_cast<int>(i % lanes)]; }  // of its energy
+    bool alive(std::size_t i) const { return left(i) < 1000; }                                  // no NaN is
+    Look look_of(std::size_t i) const { return left(i) < 0.9f ? slower : left(i) > 1.1f ? faster : right; }
 
     void look() {
         double living = 0, sum = 0, lost = 0, won = 0;
@@ -208,8 +195,7 @@ private:
             mean = 100 * sum / living;
         else
             mean.not_yet();
-        slowed = 100.0 * lost / size(), sped = 100.0 * won / size(),
-        gone = static_cast<double>(size() - living);
+        slowed = 100.0 * lost / size(), sped = 100.0 * won / size(), gone = static_cast<double>(size() - living);
         double off = 0;
         for (std::size_t i = 0; i < followed(); ++i) off += astray(i);
         elsewhere = 100 * off / static_cast<double>(followed());
@@ -218,8 +204,7 @@ private:
     std::size_t worst() const {
         std::size_t found = 0;
         for (std::size_t i = 0; i < followed(); ++i)
-            if (alive(i) && (!alive(found) || std::fabs(left(i) - 1) > std::fabs(left(found) - 1)))
-                found = i;
+            if (alive(i) && (!alive(found) || std::fabs(left(i) - 1) > std::fabs(left(found) - 1))) found = i;
         return found;
     }
 
@@ -228,11 +213,9 @@ private:
     // they compare: to a twentieth, or, where they are far apart, to a whole.
     void measure(std::size_t which) {
         std::copy_n(boxes.begin(), apart.size(), apart.begin());
-        const int rounds =
-            which == 3 || which == 4 ? 100 : 6400;  // who goes one by one takes longer
+        const int rounds = which == 3 || which == 4 ? 100 : 6400;  // who goes one by one takes longer
         const double begin = live::clock();
-        for (int n = 0; n < rounds; ++n)
-            advance(static_cast<int>(which), apart.data(), apart.size());
+        for (int n = 0; n < rounds; ++n) advance(static_cast<int>(which), apart.data(), apart.size());
         double& least = prices[which].least;
         least = std::fmin(least, (live::clock() - begin) / (rounds * few));
         if (steps < 240) return;  // a browser compiles what runs often once more
@@ -253,33 +236,28 @@ private:
         for (int k = 0; k < 3; ++k) edges.col(k) = std::sqrt((sum - I[k][lane]) / sum) * R.col(k);
         for (int k = 0; k < 3; ++k) {
             const float sign = R(2, k) < 0 ? -1 : 1;
-            const Vector3<float> face = sign * edges.col(k), u = edges.col((k + 1) % 3),
-                                 v = edges.col((k + 2) % 3);
-            const Vector3<float> corners[] = {face + u + v, face + u - v, face - u - v,
-                                              face - u + v, face + u + v};
+            const Vector3<float> face = sign * edges.col(k), u = edges.col((k + 1) % 3), v = edges.col((k + 2) % 3);
+            const Vector3<float> corners[] = {face + u + v, face + u - v, face - u - v, face - u + v, face + u + v};
             for (const bool filled : {true, false}) {
                 filled ? p.ink(paint, 1, 0.2 + 0.6 * std::fabs(R(2, k))) : p.ink("ink", 1.5);
-                for (const auto& at : corners)
-                    &at == corners ? p.move(at.x(), at.y()) : p.line(at.x(), at.y());
+                for (const auto& at : corners) &at == corners ? p.move(at.x(), at.y()) : p.line(at.x(), at.y());
                 filled ? p.fill() : p.stroke();
             }
         }
     }
 
-    live::Choice solver{
-        this, "solver", "solver",
-        "one Newton step|passive|half-step Jacobian|calm half-step|ball and remainder 4|explicit"};
+    live::Choice solver{this, "solver", "solver",
+                        "one Newton step|passive|half-step Jacobian|calm half-step|ball and remainder 4|explicit"};
     live::LogSlider count{this, "count", "boxes", 16, most, 2500};
     live::Slider spin{this, "spin", "fastest spin", 1, 60, 0.5, 15, "rad/s"};
     live::Readout angle{this, "a step turns", "rad at most, at the start"};
     live::Readout frame{this, "stepping all boxes", "ms a frame, at best"};
     live::Readout mean{this, "mean energy", "% of the start"};
-    live::Readout slowed{this, "have lost a tenth", "% of all"},
-        sped{this, "have gained a tenth", "% of all"};
+    live::Readout slowed{this, "have lost a tenth", "% of all"}, sped{this, "have gained a tenth", "% of all"};
     live::Readout gone{this, "have blown up", "of them"};
     live::Readout elsewhere{this, "off by half a radian", "% of the first 64"};
-    std::array<Price, std::tuple_size_v<decltype(solvers)>> prices = std::apply(
-        [this](const auto&... each) { return std::array{Price(this, each.name)...}; }, solvers);
+    std::array<Price, std::tuple_size_v<decltype(solvers)>> prices =
+        std::apply([this](const auto&... each) { return std::array{Price(this, each.name)...}; }, solvers);
 
     std::array<BoxPack, most / lanes> boxes;
     std::array<BoxPack, few / lanes> apart;

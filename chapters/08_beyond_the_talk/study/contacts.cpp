@@ -33,8 +33,8 @@ struct Outcome {
 
 using Capsule = plane::Capsule<Body>;
 // A step of any method.
-using Step = std::function<plane::BodyState(const Capsule&, const plane::Ground&,
-                                            const plane::BodyState&, double h, plane::Contacts&)>;
+using Step = std::function<plane::BodyState(const Capsule&, const plane::Ground&, const plane::BodyState&, double h,
+                                            plane::Contacts&)>;
 
 Outcome thrown(const Step& step, double spin, double h) {
     const double radius = 0.15, half = 0.3;
@@ -96,16 +96,12 @@ void contacts(const Settings& settings, lab::Findings& out) {
         return rest;
     };
     const auto by = [](const auto& solver) -> Step {
-        return [=](const Capsule& body, const plane::Ground& ground, const plane::BodyState& m,
-                   double h, plane::Contacts& contacts) {
-            return plane::step(solver, body, ground, m, h, contacts);
-        };
+        return [=](const Capsule& body, const plane::Ground& ground, const plane::BodyState& m, double h,
+                   plane::Contacts& contacts) { return plane::step(solver, body, ground, m, h, contacts); };
     };
     const Step half_step = by(half_step_jacobian);
-    const auto truth =
-        row("half-step Jacobian, an eighth of the step", half_step, settings.step / 8);
-    const auto other =
-        row("Cayley, an eighth of the step", by(cayley_gyroscopic), settings.step / 8);
+    const auto truth = row("half-step Jacobian, an eighth of the step", half_step, settings.step / 8);
+    const auto other = row("Cayley, an eighth of the step", by(cayley_gyroscopic), settings.step / 8);
     const auto half = row("half-step Jacobian", half_step, settings.step);
     const auto calm = row("calm half-step", by(calm_half_step), settings.step);
     const auto cayley = row("Cayley", by(cayley_gyroscopic), settings.step);
@@ -116,8 +112,7 @@ void contacts(const Settings& settings, lab::Findings& out) {
     for (std::size_t i = 0; i < 3; ++i) {
         apart = std::max(apart, std::fabs(other[i] - truth[i]));
         const auto off = [&](const auto& rest) { return std::fabs(rest[i] - truth[i]); };
-        nearest = nearest && off(talk) < off(passive) && off(calm) < off(passive) &&
-                  passive[i] < truth[i];
+        nearest = nearest && off(talk) < off(passive) && off(calm) < off(passive) && passive[i] < truth[i];
         if (i > 0)
             for (const auto& rest : {half, calm, cayley})
                 nearest = nearest && off(rest) < off(talk) && (i < 2 || off(rest) > 0.3);
@@ -131,12 +126,10 @@ void contacts(const Settings& settings, lab::Findings& out) {
     out.check("contacts_rest", fewest >= 0.95 * throws_of_each,
               "uneven capsules thrown on a plane at 10, 20 and 30 rad/s: by every method at least "
               "95 % come to rest within ten seconds");
-    out.check("contacts_calm", most < 1 / (1 - 0.25 * 0.25),
-              "none ever has more than 1.07 times its energy");
-    out.check(
-        "contacts_nearest", nearest,
-        "by passive they lie still too soon, and farthest from the truth at every spin; at 20 and "
-        "30 "
-        "rad/s the half-step Jacobian, the calm one and Cayley are nearer to it than the talk's, "
-        "and at 30 off by more than 0.3 s");
+    out.check("contacts_calm", most < 1 / (1 - 0.25 * 0.25), "none ever has more than 1.07 times its energy");
+    out.check("contacts_nearest", nearest,
+              "by passive they lie still too soon, and farthest from the truth at every spin; at 20 and "
+              "30 "
+              "rad/s the half-step Jacobian, the calm one and Cayley are nearer to it than the talk's, "
+              "and at 30 off by more than 0.3 s");
 }

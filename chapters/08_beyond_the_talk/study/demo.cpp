@@ -77,8 +77,7 @@ void ten_thousand(lab::Findings& out) {
     const double at_start = energy();
     const auto step_all = [&](auto&... group) {
         const auto step = [&](auto& bodies) {
-            for (auto& b : bodies)
-                b.state = step_rotation(half_step_jacobian, b.inertia, b.state, h);
+            for (auto& b : bodies) b.state = step_rotation(half_step_jacobian, b.inertia, b.state, h);
         };
         (step(group), ...);
     };
@@ -98,8 +97,7 @@ void ten_thousand(lab::Findings& out) {
     // Each of 300 steps rounds ω of up to 10 rad/s some ten times, and the orientation that it is
     // turned by: 300 × 20 × 6e-8 × 10 if all were off to the same side.
     out.check("demo_same", off < 4e-3, "after five seconds needles spin in lanes as one by one");
-    out.check("demo_energy", std::fabs(energy() / at_start - 1) < 1e-2,
-              "and their energy is off by less than 1 %");
+    out.check("demo_energy", std::fabs(energy() / at_start - 1) < 1e-2, "and their energy is off by less than 1 %");
 }
 
 }  // namespace

@@ -83,8 +83,7 @@ void ends(lab::Findings& out) {
         }
         tumbles += over;
     }
-    std::printf("  By Jolt's rule a random body has up to %.1f times its energy in 10 minutes.\n",
-                most);
+    std::printf("  By Jolt's rule a random body has up to %.1f times its energy in 10 minutes.\n", most);
     out.number("engines_bodies", many, "", "random bodies that were spun");
     out.number("engines_about_middle", about_middle, "",
                "of them end with the energy of a turn about the intermediate axis, by Jolt's rule");
@@ -92,10 +91,9 @@ void ends(lab::Findings& out) {
     out.number("engines_about_largest", about_largest, "",
                "of them turn about the axis of the largest moment in the end, by ODE's rule");
     out.number("engines_jolt_most", most, "", "the most energy that Jolt's rule left one of them");
-    out.check(
-        "engines_about_middle", about_middle == many && most > 1.1 && tumbles > 0.9 * many,
-        "Jolt: every random body ends with E = L²/2I of the intermediate moment, to a hundredth, "
-        "over nine in ten tumble on, and some have gained a tenth");
+    out.check("engines_about_middle", about_middle == many && most > 1.1 && tumbles > 0.9 * many,
+              "Jolt: every random body ends with E = L²/2I of the intermediate moment, to a hundredth, "
+              "over nine in ten tumble on, and some have gained a tenth");
     out.check("engines_about_largest", about_largest == many,
               "ODE: every random body ends about the axis of its largest moment, to a hundredth");
 }
@@ -118,8 +116,7 @@ void determinants(lab::Findings& out) {
     const Body of_a_kilogram = box(1.0, 0.1, 0.2, 0.3);
     const double epsilon = std::numeric_limits<float>::epsilon();
     const double foretold = std::cbrt(epsilon / of_a_kilogram.moments.prod());
-    std::printf("  In float, by Bullet's, a box of 10 x 20 x 30 cm tumbles from %.2f kg on.\n",
-                double(heavy));
+    std::printf("  In float, by Bullet's, a box of 10 x 20 x 30 cm tumbles from %.2f kg on.\n", double(heavy));
     out.number("engines_bullet_mass", heavy, "kg",
                "the lightest box of 10 x 20 x 30 cm that tumbles by Bullet's rule in float", 2);
     out.number("engines_bullet_moment", std::cbrt(epsilon), "kg m^2",
@@ -138,8 +135,7 @@ void determinants(lab::Findings& out) {
         return Box3dGyroscopic{}.step(body, omega, 1 / 240.0f) != omega;
     };
     const double side = std::pow(6 * least / 7850, 0.2);  // of a steel cube: 7850 side⁵/6
-    out.number("engines_box3d_moment", least, "kg m^2",
-               "mean moment where Box3D takes the determinant for zero", 2);
+    out.number("engines_box3d_moment", least, "kg m^2", "mean moment where Box3D takes the determinant for zero", 2);
     out.number("engines_box3d_side", 1000 * side, "mm", "side of the steel cube that has it", 2);
     out.check("engines_box3d_moment", moved(2 * least) && !moved(least / 2),
               "Box3D's rule takes a small body's determinant for zero, and changes nothing");
@@ -171,13 +167,11 @@ void cap(lab::Findings& out) {
     out.number("engines_cap_kept", kept, "", "of the energy at 100 rad/s, after a step");
     out.number("engines_cap_gain_share", 100.0 * gained / many, "%",
                "random bodies that gain in one Newton step at the cap", 2);
-    out.number("engines_cap_gain_most", 100 * (most - 1), "%", "the most that one of them gains",
-               2);
+    out.number("engines_cap_gain_most", 100 * (most - 1), "%", "the most that one of them gains", 2);
     out.number("engines_gain_share", 100.0 * gained_uncapped / many, "%",
                "the same bodies, that gain in one Newton step at h|omega| = 1", 2);
     out.check("engines_cap",
-              std::fabs(fastest - 47.12) < 0.01 && kept < 0.25 && most < 1.05 &&
-                  20 * gained < gained_uncapped,
+              std::fabs(fastest - 47.12) < 0.01 && kept < 0.25 && most < 1.05 && 20 * gained < gained_uncapped,
               "Box3D's cap takes three quarters of a fast body's energy; at the cap one Newton "
               "step adds less than a twentieth, and seldom");
 }
@@ -219,8 +213,7 @@ void no_solution(lab::Findings& out) {
         const Spin s = moser_veselov_2.whole(brick, spin_of(0, size, 0), 1.0);
         return solves(brick, {0, size, 0}, s.q, 1);
     };
-    out.check("engines_veselov",
-              share[0] == 0 && share[1] == 0 && share[2] > 10 && share[2] < 50 && share[3] > 99,
+    out.check("engines_veselov", share[0] == 0 && share[1] == 0 && share[2] > 10 && share[2] < 50 && share[3] > 99,
               "Moser-Veselov, not cut up: every step is found at h|ω| = ½ and at 0.99, not all at "
               "1.01, hardly one at 1.2");
     out.check("engines_veselov_axis", found(0.99) && !found(1.01),
@@ -253,14 +246,12 @@ void long_steps(lab::Findings& out) {
         midpoint = std::max(midpoint, most(method("implicit_midpoint").made(I), 1, 50));
     }
     out.number("engines_magnus_fails", 0.6, "", "h|omega| from which on Magnus-Taylor fails");
-    out.number("engines_magnus_there", 1 + magnus_06, "",
-               "the most energy of a random body there, in 1000 steps", 2);
+    out.number("engines_magnus_there", 1 + magnus_06, "", "the most energy of a random body there, in 1000 steps", 2);
     out.number("engines_magnus_most", 1 + magnus, "", "the same at h|omega| = 1", 2);
     out.number("engines_spiers_most", 1 + spiers, "", "the same of Spiers's step", 2);
     out.check("engines_spiers_long", spiers > 0.5,
               "in 1000 steps at h|ω| = 1 Spiers's step adds more than half to a body's energy");
-    out.check("engines_long_steps",
-              magnus_05 < 0.5 && magnus_06 > 1 && magnus > 1 && midpoint < 1e-9,
+    out.check("engines_long_steps", magnus_05 < 0.5 && magnus_06 > 1 && magnus > 1 && midpoint < 1e-9,
               "in 1000 steps Magnus-Taylor adds less than half at h|ω| = 0.5, and at times doubles "
               "the energy at 0.6; implicit midpoint keeps it at 1");
 }

@@ -22,8 +22,7 @@ namespace {
 template <class Solver>
 double gain(const Solver& solver, const Body& inertia, const Vector& direction, double size) {
     const Vector w = size * direction;
-    const double g =
-        kinetic_energy(inertia, solver.step(inertia, w, 1.0)) / kinetic_energy(inertia, w);
+    const double g = kinetic_energy(inertia, solver.step(inertia, w, 1.0)) / kinetic_energy(inertia, w);
     return std::isfinite(g) ? g : INFINITY;
 }
 
@@ -87,8 +86,7 @@ Rough rough(const Solver& solver, const Body& inertia, Vector omega, Frames fram
             omega = whole;
         } else {
             const Vector half = solver.step(inertia, omega, 1.0 / 120);
-            const bool is_half =
-                frames == Frames::by_chance ? random.direction().x() < 0 : E(half) > E(whole);
+            const bool is_half = frames == Frames::by_chance ? random.direction().x() < 0 : E(half) > E(whole);
             omega = is_half ? half : whole;
             most.momentum = larger(most.momentum, std::fabs(L() / L1 - 1));
         }
@@ -104,8 +102,7 @@ double football_keeps(const Solver& solver, double step) {
     const Body football(1, 1.02, 0.18);
     Vector omega(0.63, 0, 63);
     double t = 0;
-    for (; t < 600 && std::fabs(omega.z()) > 63.0 / 2; t += step)
-        omega = solver.step(football, omega, step);
+    for (; t < 600 && std::fabs(omega.z()) > 63.0 / 2; t += step) omega = solver.step(football, omega, step);
     return t;
 }
 
@@ -138,30 +135,24 @@ std::string words(const char* format, double value) {
 
 void fails(const Settings& settings, lab::Findings& out) {
     out.section("Where the half-step Jacobian fails");
-    const Method &strang = method("strang"), &remainder_2 = method("remainder_2"),
-                 &remainder_4 = method("remainder_4");
+    const Method &strang = method("strang"), &remainder_2 = method("remainder_2"), &remainder_4 = method("remainder_4");
     // Moments 3:2:1 about the middle axis: 1 − (h/2)² a₃a₁ ω² is zero at hω = 2/√(a₃a₁) = 2√3.
     const Body plank(3, 2, 1);
     const double singular = 2 / std::sqrt(-plank.ratio.x() * -plank.ratio.z());
     const double tilt = 0.01 / singular;
     const Vector middle(tilt, 1, tilt);
     const double there = gain(half_step_jacobian, plank, middle, singular);
-    out.number("singular_at", singular, "", "h|omega| at which the Jacobian of 3:2:1 is singular",
-               5);
-    out.number("singular_tilt", tilt * singular, "rad",
-               "h times the spin about each of the other axes");
-    out.number("singular_gain", 1e4 * std::round(there / 1e4), "",
-               "what a step there multiplies the energy by");
-    out.check("singular", there > 1e3,
-              "at its singular spin a step multiplies the energy without limit");
-    std::printf("  moments 3:2:1, intermediate axis, h|omega| = %.3f: energy x %.1g\n", singular,
-                there);
+    out.number("singular_at", singular, "", "h|omega| at which the Jacobian of 3:2:1 is singular", 5);
+    out.number("singular_tilt", tilt * singular, "rad", "h times the spin about each of the other axes");
+    out.number("singular_gain", 1e4 * std::round(there / 1e4), "", "what a step there multiplies the energy by");
+    out.check("singular", there > 1e3, "at its singular spin a step multiplies the energy without limit");
+    std::printf("  moments 3:2:1, intermediate axis, h|omega| = %.3f: energy x %.1g\n", singular, there);
 
-    auto& curve = out.table("fails.tsv", {"size", "implicit", "half_step", "cayley", "passive",
-                                          "calm", "strang", "remainder_2", "remainder_4"});
-    auto& table = out.table("fails_table.tsv", {"$h\\lvert\\omega\\rvert$", "one Newton step",
-                                                "half-step", "calm half-step", "Cayley, passive",
-                                                "Strang", "ball + rem. 2", "ball + rem. 4"});
+    auto& curve = out.table("fails.tsv", {"size", "implicit", "half_step", "cayley", "passive", "calm", "strang",
+                                          "remainder_2", "remainder_4"});
+    auto& table =
+        out.table("fails_table.tsv", {"$h\\lvert\\omega\\rvert$", "one Newton step", "half-step", "calm half-step",
+                                      "Cayley, passive", "Strang", "ball + rem. 2", "ball + rem. 4"});
     const int many = 4000;
     RandomBody bodies(2);
     bool never = true, bounded = true, splits_gain = false, later_and_more = true;
@@ -181,8 +172,7 @@ void fails(const Settings& settings, lab::Findings& out) {
             calm += gain(calm_half_step, inertia, d, size) > 1 + 1e-12;
             if (i == 2) astray = larger(astray, strays(inertia, size * d));
             const Vector w = size * d;
-            const double by_strang = whole_gain(strang, inertia, w),
-                         by_2 = whole_gain(remainder_2, inertia, w),
+            const double by_strang = whole_gain(strang, inertia, w), by_2 = whole_gain(remainder_2, inertia, w),
                          by_4 = whole_gain(remainder_4, inertia, w);
             const double most = std::max({by_strang, by_2, by_4});
             bounded = bounded && most <= bound(inertia, w) * (1 + 1e-12);
@@ -194,14 +184,12 @@ void fails(const Settings& settings, lab::Findings& out) {
             later += in_time > 1.5;
         }
         const auto share = [&](int of) { return double(of) / many; };
-        curve.row({size, share(talk), share(half), share(cayley), share(passive), share(calm),
-                   share(strangs), share(second), share(fourth)});
-        const auto of_all = [&](int of) {
-            return of == 0 ? "none" : words("%.2g %%", 100 * share(of));
-        };
+        curve.row({size, share(talk), share(half), share(cayley), share(passive), share(calm), share(strangs),
+                   share(second), share(fourth)});
+        const auto of_all = [&](int of) { return of == 0 ? "none" : words("%.2g %%", 100 * share(of)); };
         if (i >= 0 && (i % 4 == 0 || i == 2))
-            table.row({words("%.2g", size), of_all(talk), of_all(half), of_all(calm),
-                       of_all(cayley + passive), of_all(strangs), of_all(second), of_all(fourth)});
+            table.row({words("%.2g", size), of_all(talk), of_all(half), of_all(calm), of_all(cayley + passive),
+                       of_all(strangs), of_all(second), of_all(fourth)});
         if (i == 12)
             out.number("talk_takes", 100 * share(takes), "%",
                        "bodies that keep less than half by the talk's at the right end", 2);
@@ -215,28 +203,24 @@ void fails(const Settings& settings, lab::Findings& out) {
             out.check("fails_at_10", share(half) > 0.25 && share(half) < 0.4,
                       "at h|ω| = 10 the half-step Jacobian multiplies the energy of about a third "
                       "of random bodies by more than 1.5");
-            std::printf("  h|omega| = 10: %.0f %% of %d random bodies gain half or more\n",
-                        100 * share(half), many);
+            std::printf("  h|omega| = 10: %.0f %% of %d random bodies gain half or more\n", 100 * share(half), many);
             std::printf(
                 "  by Strang %.0f %%, by ball and remainder 2 %.0f %%, in 100 of its steps %.0f "
                 "%%\n",
                 100 * share(strangs), 100 * share(second), 100 * share(later));
             out.number("splits_strang", 100 * share(strangs), "%",
                        "bodies that gain half by one step of Strang at h|omega| = 10", 2);
-            out.number("splits_remainder_2", 100 * share(second), "%",
-                       "and by one of ball and remainder 2", 2);
-            out.number("splits_later", 100 * share(later), "%",
-                       "and at any time in 100 steps of ball and remainder 2", 2);
+            out.number("splits_remainder_2", 100 * share(second), "%", "and by one of ball and remainder 2", 2);
+            out.number("splits_later", 100 * share(later), "%", "and at any time in 100 steps of ball and remainder 2",
+                       2);
             splits_gain = share(strangs) > 0.3 && share(second) > 0.05 && share(later) > 0.5;
         }
     }
-    out.number("splits_strang_most", 10 * std::round(worst_of_strang / 10), "",
-               "Strang's worst gain there");
+    out.number("splits_strang_most", 10 * std::round(worst_of_strang / 10), "", "Strang's worst gain there");
     out.check("splits_gain", splits_gain,
               "at h|ω| = 10 splittings add energy: half or more to over 30 % of random bodies in "
               "a step of Strang, to over 5 % in one of ball and remainder 2, to over 50 % in 100");
-    out.check("splits_bounded", bounded,
-              "no splitting brings the energy above |L|²/2I of the least moment");
+    out.check("splits_bounded", bounded, "no splitting brings the energy above |L|²/2I of the least moment");
     const Body ruler = box(0.05, 1.0, 0.1, 0.02);
     Rough plain[3], calm[3];  // by chance, by malice, with impulses
     const int throws = 20;
@@ -251,8 +235,7 @@ void fails(const Settings& settings, lab::Findings& out) {
         }
     }
     double most = 0, astray_L = 0;
-    for (const Rough& r : calm)
-        most = larger(most, r.energy), astray_L = larger(astray_L, r.momentum);
+    for (const Rough& r : calm) most = larger(most, r.energy), astray_L = larger(astray_L, r.momentum);
     const auto rounded_down = [](double x) { return std::pow(10, std::floor(std::log10(x))); };
     std::printf(
         "  a ruler, steps of 1/60 and 1/120 s by chance: energy up to x %.0g, with impulses\n"
@@ -260,15 +243,13 @@ void fails(const Settings& settings, lab::Findings& out) {
         rounded_down(plain[0].energy), rounded_down(plain[2].energy), most - 1, astray_L);
     out.number("varying_gain", rounded_down(plain[0].energy), "",
                "the most energy of a ruler, steps that vary, over its first, rounded down");
-    out.check(
-        "varying", plain[0].energy > 2 && plain[1].energy > 2 && plain[2].energy > 1.05,
-        "by the half-step Jacobian a ruler at 30 rad/s at some time has more than twice its "
-        "energy, "
-        "with steps of 1/60 and 1/120 s by chance; and gains between impulses that keep it, too");
-    out.check(
-        "calm", most < 1 + 1e-9 && astray_L < 1e-9,
-        "by the calm half-step it keeps energy and |L| to roundoff for ten minutes, with those "
-        "steps by chance and by malice, and the energy with impulses that keep it");
+    out.check("varying", plain[0].energy > 2 && plain[1].energy > 2 && plain[2].energy > 1.05,
+              "by the half-step Jacobian a ruler at 30 rad/s at some time has more than twice its "
+              "energy, "
+              "with steps of 1/60 and 1/120 s by chance; and gains between impulses that keep it, too");
+    out.check("calm", most < 1 + 1e-9 && astray_L < 1e-9,
+              "by the calm half-step it keeps energy and |L| to roundoff for ten minutes, with those "
+              "steps by chance and by malice, and the energy with impulses that keep it");
     const double by_passive = football_keeps(passive_gyroscopic, settings.step),
                  by_cayley = football_keeps(cayley_gyroscopic, settings.step),
                  by_calm = football_keeps(calm_half_step, settings.step);
@@ -276,17 +257,14 @@ void fails(const Settings& settings, lab::Findings& out) {
         "  a football loses half of its spin after %.2g s by passive, %.2g s by Cayley, by the\n"
         "  calm half-step not within %.0f s\n",
         by_passive, by_cayley, by_calm);
-    out.number("football_passive", by_passive, "s",
-               "until a football has lost half of its spin, by passive", 2);
+    out.number("football_passive", by_passive, "s", "until a football has lost half of its spin, by passive", 2);
     out.number("football_cayley", by_cayley, "s", "the same by Cayley", 2);
-    out.check("football",
-              by_passive < 1 && by_cayley < 5 && by_cayley > by_passive && by_calm >= 600,
+    out.check("football", by_passive < 1 && by_cayley < 5 && by_cayley > by_passive && by_calm >= 600,
               "at 63 rad/s a football loses half of its spin within a second by passive, later by "
               "Cayley, "
               "and not within ten minutes by the calm half-step");
     const double plate_2 = plate_turns_over(remainder_2), plate_4 = plate_turns_over(remainder_4);
-    out.number("plate_2", plate_2, "",
-               "h|omega| at which a plate turns over by ball and remainder 2", 3);
+    out.number("plate_2", plate_2, "", "h|omega| at which a plate turns over by ball and remainder 2", 3);
     out.number("plate_4", plate_4, "", "the same by ball and remainder 4", 3);
     out.check("plate", plate_2 > 2 && plate_2 < 2.5 && plate_4 > 2 * plate_2 && plate_4 < 10,
               "a plate spun about its short axis turns over by ball and remainder 2 from h|ω| "
@@ -297,12 +275,10 @@ void fails(const Settings& settings, lab::Findings& out) {
     out.number("calm_most", CalmHalfStep::most, "", "substeps of the calm half-step, at most");
     out.check("fails_bound", astray < 1e-9,
               "the half-step Jacobian keeps E/Δ and |L|²/Δ to roundoff, 100 steps at h|ω| = 1.8");
-    out.check("fails_first", first > half_more,
-              "below h|ω| = 2/√3 no random body gains half of its energy");
+    out.check("fails_first", first > half_more, "below h|ω| = 2/√3 no random body gains half of its energy");
     out.check("fails_later", later_and_more,
               "up to h|ω| = 2.4 the half-step Jacobian gains half on fewer random bodies than one "
               "Newton step, from 3 on more");
-    out.check("cayley_never", never,
-              "Cayley, passive and the calm half-step add energy to none, at any h|ω|");
+    out.check("cayley_never", never, "Cayley, passive and the calm half-step add energy to none, at any h|ω|");
     std::printf("  the first at h|omega| = %.2g\n", first);
 }

@@ -70,8 +70,7 @@ std::size_t measure_all(std::vector<Way>& ways, lab::Table& table, double told) 
             measure(ways, std::size_t(size));
             std::vector<double>& best = fastest[size];
             best.resize(ways.size(), 1e9);
-            for (std::size_t i = 0; i < ways.size(); ++i)
-                best[i] = std::min(best[i], ways[i].nanoseconds);
+            for (std::size_t i = 0; i < ways.size(); ++i) best[i] = std::min(best[i], ways[i].nanoseconds);
         }
     std::size_t from = 0;
     for (const double size : sizes) {
@@ -153,31 +152,23 @@ void many_springs(lab::Findings& out) {
     std::vector<Way> ways{
         {"one_by_one",
          [&](std::size_t count) {
-             for (std::size_t i = 0; i < count; ++i)
-                 states[i] = semi_implicit_euler.step(alone[i], states[i], h);
+             for (std::size_t i = 0; i < count; ++i) states[i] = semi_implicit_euler.step(alone[i], states[i], h);
          }},
-        {"lanes",
-         [&](std::size_t count) { once.step(semi_implicit_euler, h, 1, 0, packs(count)); }},
-        {"several",
-         [&](std::size_t count) { often.step(semi_implicit_euler, h, several, 0, packs(count)); },
-         several}};
+        {"lanes", [&](std::size_t count) { once.step(semi_implicit_euler, h, 1, 0, packs(count)); }},
+        {"several", [&](std::size_t count) { often.step(semi_implicit_euler, h, several, 0, packs(count)); }, several}};
     for (Way& way : ways)
         for (long n = 0; n < several; n += way.steps) way.pass(most);
     bool same = true;
-    for (std::size_t i = 0; i < most; ++i)
-        same = same && states[i].x == once[i].x && states[i].x == often[i].x;
-    out.check(
-        "many_springs_same", same,
-        "a million springs: one by one, in lanes and many steps a pass agree to the last bit");
+    for (std::size_t i = 0; i < most; ++i) same = same && states[i].x == once[i].x && states[i].x == often[i].x;
+    out.check("many_springs_same", same,
+              "a million springs: one by one, in lanes and many steps a pass agree to the last bit");
 
     auto& table = out.table("many_springs.tsv", {"count", "one_by_one", "lanes", "several"});
     measure(ways, 1000);
     const double one_pass_ns = ways[1].nanoseconds, many_steps_ns = ways[2].nanoseconds;
     measure_all(ways, table, most);
-    const double alone_ns = ways[0].nanoseconds, lanes_ns = ways[1].nanoseconds,
-                 several_ns = ways[2].nanoseconds;
-    std::printf("a million springs, ns a step: %.2f one by one, %.2f in lanes,\n", alone_ns,
-                lanes_ns);
+    const double alone_ns = ways[0].nanoseconds, lanes_ns = ways[1].nanoseconds, several_ns = ways[2].nanoseconds;
+    std::printf("a million springs, ns a step: %.2f one by one, %.2f in lanes,\n", alone_ns, lanes_ns);
     std::printf("    and %.3f in lanes with %ld steps a pass\n", several_ns, several);
     out.number("many_lanes", double(lanes), "", "numbers of type float in a pack");
     out.number("many_springs_lanes", alone_ns / lanes_ns, "",
@@ -190,13 +181,12 @@ void many_springs(lab::Findings& out) {
                                  : "in this run a step of one among a million took " +
                                        (memory < 1.05 ? "" : times(memory) + " ") +
                                        "as long as of one among a thousand";
-    out.text(
-        "many_memory",
-        several_ns > lanes_ns
-            ? "At a million springs something disturbed the curve with " + std::to_string(several) +
-                  " steps a pass: that point tells nothing"
-            : pass + "they are " + times(alone_ns / several_ns) + " as fast as one by one: " + felt,
-        "what the memory costs, in this run");
+    out.text("many_memory",
+             several_ns > lanes_ns
+                 ? "At a million springs something disturbed the curve with " + std::to_string(several) +
+                       " steps a pass: that point tells nothing"
+                 : pass + "they are " + times(alone_ns / several_ns) + " as fast as one by one: " + felt,
+             "what the memory costs, in this run");
 }
 
 void many_bodies(lab::Findings& out) {
@@ -229,15 +219,14 @@ void many_bodies(lab::Findings& out) {
         for (std::size_t i = first; i < last; ++i) of[i].step(half_step_jacobian, h);
     };
     const unsigned threads = std::clamp(std::thread::hardware_concurrency(), 2u, 4u);
-    std::vector<Way> ways{
-        {"one_by_one",
-         [&](std::size_t count) {
-             for (std::size_t i = 0; i < count; ++i)
-                 boxes[i].state =
-                     step_rotation(half_step_jacobian, boxes[i].inertia, boxes[i].state, h);
-         }},
-        {"lanes", [&](std::size_t count) { some(packs, 0, (count + lanes - 1) / lanes); }},
-        {"balls", [&](std::size_t count) { some(balls, 0, (count + lanes - 1) / lanes); }}};
+    std::vector<Way> ways{{"one_by_one",
+                           [&](std::size_t count) {
+                               for (std::size_t i = 0; i < count; ++i)
+                                   boxes[i].state =
+                                       step_rotation(half_step_jacobian, boxes[i].inertia, boxes[i].state, h);
+                           }},
+                          {"lanes", [&](std::size_t count) { some(packs, 0, (count + lanes - 1) / lanes); }},
+                          {"balls", [&](std::size_t count) { some(balls, 0, (count + lanes - 1) / lanes); }}};
     for (Way& way : ways) way.pass(most);
     double worst = 0;
     for (std::size_t i = 0; i < 1000; ++i) {
@@ -246,35 +235,30 @@ void many_bodies(lab::Findings& out) {
         worst = std::max(worst, double(off.norm()));
         worst = std::max(worst, double((packed.q.coeffs() - boxes[i].state.q.coeffs()).norm()));
     }
-    out.check("many_bodies_same", worst < 1e-5,
-              "boxes: one by one and in lanes agree, but for the last roundings");
+    out.check("many_bodies_same", worst < 1e-5, "boxes: one by one and in lanes agree, but for the last roundings");
 
     ways.push_back({"threads", [&](std::size_t count) {
                         parallel_for((count + lanes - 1) / lanes, threads,
                                      [&](std::size_t a, std::size_t b) { some(packs, a, b); });
                     }});
-    auto& table = out.table("many_bodies.tsv", {"count", "one_by_one", "lanes", "balls",
-                                                "lanes, " + std::to_string(threads) + " threads"});
+    auto& table = out.table(
+        "many_bodies.tsv", {"count", "one_by_one", "lanes", "balls", "lanes, " + std::to_string(threads) + " threads"});
     const std::size_t pays = measure_all(ways, table, 1e4);
     out.text("many_threads_pay",
              pays == 0 || pays == most  // one lucky point is no range
                  ? "in this run they have not paid for good, up to a million bodies"
                  : "in this run they pay from " + std::to_string(pays) + " bodies on",
              "where threads pay");
-    double start_ns =
-        1e9;  // to start and join threads that do nothing; the fastest, as of all other times
+    double start_ns = 1e9;  // to start and join threads that do nothing; the fastest, as of all other times
     for (int i = 0; i < 101; ++i)
-        start_ns =
-            std::min(start_ns, 1e9 * lab::seconds_of([&] {
-                                   parallel_for(threads, threads, [](std::size_t, std::size_t) {});
-                               }));
+        start_ns = std::min(
+            start_ns, 1e9 * lab::seconds_of([&] { parallel_for(threads, threads, [](std::size_t, std::size_t) {}); }));
     const auto in_lanes = [&](const auto& solver) {
         return [&, solver](std::size_t count) {
             for (std::size_t i = 0; i < (count + lanes - 1) / lanes; ++i) packs[i].step(solver, h);
         };
     };
-    std::vector<Way> others{{"passive", in_lanes(passive_gyroscopic)},
-                            {"cayley", in_lanes(cayley_gyroscopic)}};
+    std::vector<Way> others{{"passive", in_lanes(passive_gyroscopic)}, {"cayley", in_lanes(cayley_gyroscopic)}};
     double passive_ns = 1e9, cayley_ns = 1e9;
     for (int round = 0; round < 3; ++round) {
         measure(others, 10000);
@@ -288,18 +272,16 @@ void many_bodies(lab::Findings& out) {
         const Turn turned = [=](const Body& inertia, const RigidState<double>& s, double step) {
             return step_rotation(solver, inertia, s, step);
         };
-        out.text(
-            "lanes_" + id + "_box", error_in_a_pack(turned, brick),
-            "box, 10 rad/s, turned by the new omega: worst orientation, or share of throws lost");
+        out.text("lanes_" + id + "_box", error_in_a_pack(turned, brick),
+                 "box, 10 rad/s, turned by the new omega: worst orientation, or share of throws lost");
         out.text("lanes_" + id + "_ruler", error_in_a_pack(turned, ruler), "a ruler, the same");
     };
     errors("passive", passive_gyroscopic);
     errors("half_step", half_step_jacobian);
     errors("cayley", cayley_gyroscopic);
-    const double alone_ns = ways[0].nanoseconds, lanes_ns = ways[1].nanoseconds,
-                 balls_ns = ways[2].nanoseconds;
-    std::printf("ten thousand boxes, ns a step: %.1f one by one, %.1f in lanes; a ball %.1f\n",
-                alone_ns, lanes_ns, balls_ns);
+    const double alone_ns = ways[0].nanoseconds, lanes_ns = ways[1].nanoseconds, balls_ns = ways[2].nanoseconds;
+    std::printf("ten thousand boxes, ns a step: %.1f one by one, %.1f in lanes; a ball %.1f\n", alone_ns, lanes_ns,
+                balls_ns);
     std::printf("    by the passive step in lanes %.1f, by Cayley %.1f\n", passive_ns, cayley_ns);
     out.number("many_bodies_ratio", alone_ns / lanes_ns, "",
                "ten thousand boxes: in lanes, times as fast as one by one", 2);

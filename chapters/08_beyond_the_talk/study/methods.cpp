@@ -34,16 +34,15 @@ Method made(const Rule& rule, const std::string& key) {
 }  // namespace
 
 const std::vector<Method>& methods() {
-    static const std::vector<Method> all{
-        made(tumble<ImplicitGyroscopic>, "one Newton step", "implicit"),
-        made(tumble<PassiveGyroscopic>, "passive"),
-        made(tumble<HalfStepJacobian>, "half_step"),
-        made(tumble<CalmHalfStep>, "calm"),
-        made(tumble<CayleyGyroscopic>, "cayley"),
-        made(strang, "strang"),
-        made(ball_and_remainder_2, "remainder_2"),
-        made(ball_and_remainder_4, "remainder_4"),
-        made(RungeKuttaSpin{}, "runge_kutta_4")};
+    static const std::vector<Method> all{made(tumble<ImplicitGyroscopic>, "one Newton step", "implicit"),
+                                         made(tumble<PassiveGyroscopic>, "passive"),
+                                         made(tumble<HalfStepJacobian>, "half_step"),
+                                         made(tumble<CalmHalfStep>, "calm"),
+                                         made(tumble<CayleyGyroscopic>, "cayley"),
+                                         made(strang, "strang"),
+                                         made(ball_and_remainder_2, "remainder_2"),
+                                         made(ball_and_remainder_4, "remainder_4"),
+                                         made(RungeKuttaSpin{}, "runge_kutta_4")};
     return all;
 }
 
@@ -74,6 +73,4 @@ const Method& method(std::string_view key) {
 }
 
 Exact::Exact(const Body& inertia, const Spin& start)
-    : motion_([motion = ExactFreeBody<double>(inertia, in_world(start))](double t) {
-          return in_body(motion(t));
-      }) {}
+    : motion_([motion = ExactFreeBody<double>(inertia, in_world(start))](double t) { return in_body(motion(t)); }) {}

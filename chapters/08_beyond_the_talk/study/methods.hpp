@@ -46,13 +46,9 @@ private:
     std::function<Spin(double t)> motion_;
 };
 
-inline Spin spinning(const Vector& omega) {
-    return {0, timestep::Quaternion<double>::Identity(), omega};
-}
+inline Spin spinning(const Vector& omega) { return {0, timestep::Quaternion<double>::Identity(), omega}; }
 
 // The larger one; and where a value is no number, that stays to be seen as ∞.
-inline double larger(double most, double value) {
-    return value <= most ? most : std::isnan(value) ? INFINITY : value;
-}
+inline double larger(double most, double value) { return value <= most ? most : std::isnan(value) ? INFINITY : value; }
 
 using timestep::apart;

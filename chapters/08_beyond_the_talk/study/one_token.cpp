@@ -46,8 +46,7 @@ void one_token(const Settings& settings, lab::Findings& out) {
         out.number("token_" + k + "_energy", E, "", "energy at the end over that at the start");
         if (k == "implicit") worst_of_talk = worst, lost_by_talk = 1 - E;
         if (k == "half_step") {
-            out.number("token_swing", 100 * std::max(1 - least, most - 1), "%",
-                       "how far the energy is off at most", 2);
+            out.number("token_swing", 100 * std::max(1 - least, most - 1), "%", "how far the energy is off at most", 2);
             out.check("token_energy", std::max(1 - least, most - 1) < 0.1 * lost_by_talk,
                       "the half-step Jacobian's energy is off by less than a tenth of what the "
                       "talk's solver loses");
@@ -71,8 +70,7 @@ void one_token(const Settings& settings, lab::Findings& out) {
         if (n >= all - part) last += E / double(part);
         w = half_step_jacobian.step(brick, w, settings.step);
     }
-    std::printf("  half-step Jacobian, mean energy: first minute x %.6f, 15th x %.6f\n", first,
-                last);
+    std::printf("  half-step Jacobian, mean energy: first minute x %.6f, 15th x %.6f\n", first, last);
     out.check("token_no_drift", std::fabs(last - first) < 1e-3,
               "after a quarter of an hour the half-step Jacobian's energy has not drifted");
 }

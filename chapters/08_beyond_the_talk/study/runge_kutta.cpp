@@ -23,8 +23,7 @@ double lost_in_a_minute(const Body& inertia, const Vector& spin, double h) {
 
 void runge_kutta(const Settings&, lab::Findings& out) {
     out.section("Runge-Kutta 4: the energy");
-    const Body bodies[] = {
-        {1, 1.02, 0.7}, box(12.0, 1.0, 2.0, 3.0), {1, 1.01, 0.02}, box(0.05, 1.0, 0.1, 0.02)};
+    const Body bodies[] = {{1, 1.02, 0.7}, box(12.0, 1.0, 2.0, 3.0), {1, 1.01, 0.02}, box(0.05, 1.0, 0.1, 0.02)};
     const double h = 1.0 / 60, calm = 0.3;  // h|ω|
     const int throws = 300;
     double worst = 0;
@@ -42,8 +41,8 @@ void runge_kutta(const Settings&, lab::Findings& out) {
         for (int n = 0; n < throws; ++n)
             loss = std::max(loss, lost_in_a_minute(inertia, calm / h * random.direction(), h));
         worst = std::max(worst, loss);
-        std::printf("  loss with h to the power of %.2f; at h|omega| = %.1f at most %.2g %%\n",
-                    power, calm, 100 * loss);
+        std::printf("  loss with h to the power of %.2f; at h|omega| = %.1f at most %.2g %%\n", power, calm,
+                    100 * loss);
     }
     out.number("rk4_calm", calm, "", "h|omega| at which Runge-Kutta 4 was watched for a minute");
     out.number("rk4_calm_spin", calm / h, "rad/s", "the spin that this is at 60 Hz");

@@ -4,8 +4,7 @@
 
 int main(int argc, char** argv) {
     Settings settings;
-    lab::Program program("beyond_the_talk",
-                         "better rigid bodies: what do they cost, which to take?");
+    lab::Program program("beyond_the_talk", "better rigid bodies: what do they cost, which to take?");
     const lab::Rule step{[](double h) { return h >= 0.004 && h <= 0.1; }, "from 0.004 to 0.1"};
     const lab::Rule spin{[](double w) { return w >= 1 && w <= 100; }, "from 1 to 100"};
     const lab::Rule tilt{[](double w) { return w > 0 && w <= 1; }, "above zero and at most 1"};

@@ -57,8 +57,8 @@ public:
         const int count = about == About::nearly_there ? 1 : throws_of_each;
         for (int n = 0; n < count; ++n) {
             const Vector direction = about == About::nearly_there ? towards_middle_axis(inertia)
-                                     : about == About::middle ? near_middle_axis(inertia, random)
-                                                              : random.direction();
+                                     : about == About::middle     ? near_middle_axis(inertia, random)
+                                                                  : random.direction();
             starts_.push_back(spinning(spin * direction));
             const Exact exact(inertia, starts_.back());
             for (int k = 1; k <= marks; ++k) truth_.push_back(exact(double(k * seconds) / marks).q);
@@ -118,8 +118,7 @@ std::string in_words(const Errors& e) {
     if (e.worst < 1e-6) return "below 0.0001\u00a0%";
     char text[48];
     if (e.worst > 0.5)
-        std::snprintf(text, sizeof text, "%.0f of %d lost", e.lost * throws_of_each / 100,
-                      throws_of_each);
+        std::snprintf(text, sizeof text, "%.0f of %d lost", e.lost * throws_of_each / 100, throws_of_each);
     else
         std::snprintf(text, sizeof text, "%.2g\u00a0%%", 100 * e.worst);
     return text;
@@ -136,10 +135,9 @@ void throws(const Settings&, lab::Findings& out) {
     };
     const Body near(1, 1.02, 0.7), brick = box(12.0, 1.0, 2.0, 3.0), needle(1, 1.01, 0.02),
                                    ruler = box(0.05, 1.0, 0.1, 0.02);
-    const Case cases[] = {
-        {"near", "nearly symmetric", near, 10}, {"box", "box", brick, 10},
-        {"needle", "needle", needle, 10},       {"ruler", "ruler", ruler, 10},
-        {"box_30", "box, 30 rad/s", brick, 30}, {"ruler_30", "ruler, 30 rad/s", ruler, 30}};
+    const Case cases[] = {{"near", "nearly symmetric", near, 10}, {"box", "box", brick, 10},
+                          {"needle", "needle", needle, 10},       {"ruler", "ruler", ruler, 10},
+                          {"box_30", "box, 30 rad/s", brick, 30}, {"ruler_30", "ruler, 30 rad/s", ruler, 30}};
     std::vector<std::string> columns{"method"};
     std::vector<Throws> thrown;
     for (const Case& c : cases) columns.push_back(c.words), thrown.emplace_back(c.inertia, c.spin);
@@ -157,9 +155,7 @@ void throws(const Settings&, lab::Findings& out) {
     for (const Method& method : methods()) throw_all(method);
     throw_all(method("magnus_taylor_4")),
         throw_all(method("implicit_midpoint"));  // of the appendix
-    const auto of = [&](const std::string& method, const char* id) {
-        return all[method + " " + id];
-    };
+    const auto of = [&](const std::string& method, const char* id) { return all[method + " " + id]; };
     bool four = true, half = true, rk4 = true;
     double worst_game = 0, half_worst = 0, rk4_worst = 0;
     for (const char* id : {"near", "box", "needle", "ruler"}) {
@@ -181,19 +177,16 @@ void throws(const Settings&, lab::Findings& out) {
         std::printf(
             "  %s: worst %.2g and middle %.2g of ball and remainder 4, %.2g and %.2g of RK4 in "
             "three substeps\n",
-            cases[i].words, summed_up(in_one).worst, middle_of(in_one), summed_up(in_three).worst,
-            middle_of(in_three));
+            cases[i].words, summed_up(in_one).worst, middle_of(in_one), summed_up(in_three).worst, middle_of(in_three));
         usually_farther = usually_farther && middle_of(in_three) > middle_of(in_one);
-        if (cases[i].id == std::string("ruler"))
-            ruler_nearer = summed_up(in_three).worst < summed_up(in_one).worst;
+        if (cases[i].id == std::string("ruler")) ruler_nearer = summed_up(in_three).worst < summed_up(in_one).worst;
     }
     out.check("rk4_in_three", usually_farther && ruler_nearer,
               "10 rad/s at 60 Hz: Runge-Kutta 4 in three substeps has the ruler's worst throw "
               "nearer than ball and remainder 4, "
               "and the middle one of each body's throws farther off");
     four = worst_game < 1e-3, half = half_worst < 0.1;
-    const double worst_30 =
-        std::max(of("remainder_4", "box_30").worst, of("remainder_4", "ruler_30").worst);
+    const double worst_30 = std::max(of("remainder_4", "box_30").worst, of("remainder_4", "ruler_30").worst);
     const Errors two = of("remainder_2", "ruler");
     bool near_middle = true;  // of the ruler's twenty worst throws
     std::vector<std::pair<double, double>> ruler_throws;
@@ -208,8 +201,7 @@ void throws(const Settings&, lab::Findings& out) {
     SpinState<float> hour{0, Quaternion<float>::Identity(), {10, 20, 20}};
     const auto length = [&] { return ruler.momentum(hour.omega.cast<double>()).norm(); };
     const double at_first = length();
-    for (int n = 0; n < 60 * 60 * 60; ++n)
-        hour = ball_and_remainder_4.step(single, hour, 1.0f / 60);
+    for (int n = 0; n < 60 * 60 * 60; ++n) hour = ball_and_remainder_4.step(single, hour, 1.0f / 60);
     out.number("float_hour", 100 * std::fabs(length() / at_first - 1), "%",
                "how far |L| is off after an hour of ball and remainder 4 in float", 2);
     const Vector& r = ruler.ratio;  // thrown about the axis y
@@ -219,9 +211,7 @@ void throws(const Settings&, lab::Findings& out) {
     // About the middle axis, where errors grow fastest.
     double middle_15 = 0;
     for (const Body& body : {near, brick, needle, ruler})
-        middle_15 = std::max(
-            middle_15,
-            summed_up(Throws(body, 15, Throws::About::middle).errors("remainder_4")).worst);
+        middle_15 = std::max(middle_15, summed_up(Throws(body, 15, Throws::About::middle).errors("remainder_4")).worst);
     const Throws fast_ruler(ruler, 30, Throws::About::middle);
     const Errors middle_30 = summed_up(fast_ruler.errors("remainder_4")),
                  middle_half = summed_up(fast_ruler.errors("remainder_4", 120));
@@ -229,31 +219,26 @@ void throws(const Settings&, lab::Findings& out) {
         "  of %d throws of a ruler at 10 rad/s, 60 Hz, ball and remainder 2 is off\n"
         "  by more than 1 %% in %.0f %%, ball and remainder 4 by %.2g %% at most;\n"
         "  at 30 rad/s by %.2g %%, and at 100 rad/s it loses %.0f %% of them\n",
-        throws_of_each, two.wrong, 100 * of("remainder_4", "ruler").worst, 100 * worst_30,
-        ruler_100.lost);
+        throws_of_each, two.wrong, 100 * of("remainder_4", "ruler").worst, 100 * worst_30, ruler_100.lost);
     out.number("throws", throws_of_each, "", "throws of each body");
     out.text("ruler", "a box of 1 × 0.1 × 0.02 m", "the fourth body");
     out.number("worst_game", 100 * worst_game, "%",
                "worst error of ball and remainder 4 in all throws at 10 rad/s, 60 Hz", 2);
-    out.number("middle_15", 100 * middle_15, "%",
-               "its worst error about the intermediate axis at 15 rad/s", 2);
+    out.number("middle_15", 100 * middle_15, "%", "its worst error about the intermediate axis at 15 rad/s", 2);
     out.number("middle_30", middle_30.wrong, "%",
                "of the ruler's throws about the intermediate axis off by 1 % at 30 rad/s", 2);
     out.number("middle_30_lost", middle_30.lost, "%", "and lost", 2);
     out.number("middle_half", 100 * middle_half.worst, "%", "the worst of them at 120 Hz", 2);
-    out.check(
-        "middle_15", middle_15 < 1e-3,
-        "15 rad/s at 60 Hz, four bodies thrown about their intermediate axis: ball and remainder 4 "
-        "is off by less than 0.1 %");
-    const double never =
-        Throws(ruler, 15, Throws::About::nearly_there).errors("remainder_4").front();
+    out.check("middle_15", middle_15 < 1e-3,
+              "15 rad/s at 60 Hz, four bodies thrown about their intermediate axis: ball and remainder 4 "
+              "is off by less than 0.1 %");
+    const double never = Throws(ruler, 15, Throws::About::nearly_there).errors("remainder_4").front();
     out.check("nearly_there", never > 0.5,
               "15 rad/s at 60 Hz: the ruler's throw that ends on its intermediate axis is lost "
               "within two seconds");
-    out.check(
-        "middle_30", middle_30.wrong > 50 && middle_30.lost > 5 && middle_half.worst < 0.01,
-        "30 rad/s at 60 Hz: of the ruler's throws about its intermediate axis it has most off by "
-        "more than 1 %, and loses some; at 120 Hz all are right to 1 %");
+    out.check("middle_30", middle_30.wrong > 50 && middle_30.lost > 5 && middle_half.worst < 0.01,
+              "30 rad/s at 60 Hz: of the ruler's throws about its intermediate axis it has most off by "
+              "more than 1 %, and loses some; at 120 Hz all are right to 1 %");
     out.number("worst_30", 100 * worst_30, "%", "its worst error at 30 rad/s", 2);
     out.number("box_100", box_100.wrong, "%", "of the box's throws off by 1 % at 100 rad/s", 2);
     out.number("ruler_100", ruler_100.wrong, "%", "of the ruler's throws off by 1 % there", 2);
@@ -264,17 +249,13 @@ void throws(const Settings&, lab::Findings& out) {
                "the rate at which a ruler leaves its intermediate axis, over |omega|", 2);
     out.number("half_worst", 100 * half_worst, "%", "worst error of the half-step Jacobian", 2);
     double calm_worst = 0;
-    for (const char* id : {"near", "box", "needle", "ruler"})
-        calm_worst = std::max(calm_worst, of("calm", id).worst);
+    for (const char* id : {"near", "box", "needle", "ruler"}) calm_worst = std::max(calm_worst, of("calm", id).worst);
     out.number("calm_worst", 100 * calm_worst, "%", "of the calm half-step", 2);
     out.number("rk4_worst", 100 * rk4_worst, "%", "worst error of Runge-Kutta 4", 2);
-    out.number("rk4_ruler_30", 100 * of("runge_kutta_4", "ruler_30").worst, "%",
-               "that of the ruler at 30 rad/s", 2);
-    out.check(
-        "rk4_enough", rk4_worst < 1e-3,
-        "10 rad/s at 60 Hz, every throw of four bodies: Runge-Kutta 4 is off by less than 0.1 %");
-    out.number("ruler_cayley", of("cayley", "ruler").lost, "%",
-               "of the ruler's throws that Cayley has lost", 2);
+    out.number("rk4_ruler_30", 100 * of("runge_kutta_4", "ruler_30").worst, "%", "that of the ruler at 30 rad/s", 2);
+    out.check("rk4_enough", rk4_worst < 1e-3,
+              "10 rad/s at 60 Hz, every throw of four bodies: Runge-Kutta 4 is off by less than 0.1 %");
+    out.number("ruler_cayley", of("cayley", "ruler").lost, "%", "of the ruler's throws that Cayley has lost", 2);
     out.number("ruler_strang", of("strang", "ruler").lost, "%", "that Strang has lost", 2);
     out.check("take_remainder_4", four,
               "10 rad/s at 60 Hz, every throw of four bodies: ball and remainder 4 is off by less "
@@ -282,13 +263,12 @@ void throws(const Settings&, lab::Findings& out) {
     out.check("worst_30", worst_30 < 0.05,
               "30 rad/s at 60 Hz, every throw of box and ruler: ball and remainder 4 is off by "
               "less than 5 %");
-    out.check("fast_remainder_4",
-              near_100.worst < 1e-3 && box_100.wrong > 1 && ruler_100.wrong > 50,
+    out.check("fast_remainder_4", near_100.worst < 1e-3 && box_100.wrong > 1 && ruler_100.wrong > 50,
               "100 rad/s at 60 Hz: ball and remainder 4 has every throw of the nearly symmetric "
               "body, misses some of the box by more than 1 %, and most of the ruler");
     out.check("take_remainder_2",
-              of("remainder_2", "near").worst < 1e-3 && of("remainder_2", "box").wrong < 5 &&
-                  two.wrong > 20 && two.worst > 0.5,
+              of("remainder_2", "near").worst < 1e-3 && of("remainder_2", "box").wrong < 5 && two.wrong > 20 &&
+                  two.worst > 0.5,
               "10 rad/s at 60 Hz: ball and remainder 2 is off by less than 0.1 % in every throw of "
               "the nearly symmetric body, by more than 1 % in less than 5 % of the box's, in more "
               "than 20 % of the ruler's, and loses one");
@@ -301,19 +281,16 @@ void throws(const Settings&, lab::Findings& out) {
     bool talk = true;
     for (const char* id : {"box", "needle", "ruler"})
         talk = talk && of("implicit", id).lost > 80 && of("passive", id).lost > 80;
-    out.check(
-        "take_talk", talk,
-        "10 rad/s at 60 Hz: one Newton step and passive lose more than four in five throws of "
-        "box, needle and ruler");
-    out.check("half_step_30",
-              of("half_step", "box_30").lost > 99.95 && of("half_step", "ruler_30").lost > 99.95,
+    out.check("take_talk", talk,
+              "10 rad/s at 60 Hz: one Newton step and passive lose more than four in five throws of "
+              "box, needle and ruler");
+    out.check("half_step_30", of("half_step", "box_30").lost > 99.95 && of("half_step", "ruler_30").lost > 99.95,
               "30 rad/s at 60 Hz: the half-step Jacobian loses every throw of box and ruler");
     out.check("take_cayley", of("cayley", "ruler").lost > 50 && of("strang", "ruler").lost > 20,
               "10 rad/s at 60 Hz: Cayley loses most throws of the ruler, Strang over 20 %");
     bool no_nearer = true;  // though it keeps energy and momentum
     for (const char* id : {"near", "box", "needle", "ruler"})
-        no_nearer = no_nearer &&
-                    of("implicit_midpoint", id).worst > 0.9 * of("half_step", id).worst &&
+        no_nearer = no_nearer && of("implicit_midpoint", id).worst > 0.9 * of("half_step", id).worst &&
                     std::fabs(of("calm", id).worst / of("implicit_midpoint", id).worst - 1) < 0.1;
     out.number("midpoint_error", 100 * of("implicit_midpoint", "box").worst, "%",
                "implicit midpoint: the worst of the box's throws", 2);
@@ -326,13 +303,12 @@ void throws(const Settings&, lab::Findings& out) {
                "of the ruler's throws that ball and remainder 2 loses at 30 rad/s", 2);
     out.number("ruler_magnus_30", of("magnus_taylor_4", "ruler_30").lost, "%",
                "that Magnus and Taylor lose at 30 rad/s", 2);
-    out.check(
-        "magnus_lost",
-        of("magnus_taylor_4", "needle").worst > of("remainder_2", "needle").worst &&
-            of("magnus_taylor_4", "ruler_30").lost > 2 * of("remainder_2", "ruler_30").lost,
-        "60 Hz: at 10 rad/s the worst throw of the needle by Magnus and Taylor is farther off "
-        "than by ball and remainder 2, and at 30 rad/s they lose more than twice as many of "
-        "the ruler's");
+    out.check("magnus_lost",
+              of("magnus_taylor_4", "needle").worst > of("remainder_2", "needle").worst &&
+                  of("magnus_taylor_4", "ruler_30").lost > 2 * of("remainder_2", "ruler_30").lost,
+              "60 Hz: at 10 rad/s the worst throw of the needle by Magnus and Taylor is farther off "
+              "than by ball and remainder 2, and at 30 rad/s they lose more than twice as many of "
+              "the ruler's");
     out.check("rk4_nearer", rk4,
               "10 rad/s at 60 Hz: the worst throw of each body is nearer by Runge-Kutta 4 than by "
               "ball and remainder 2, and nearest by ball and remainder 4");

@@ -74,8 +74,7 @@ bool all_grey(const Points& points) {
 
 std::string in_words(const Point* p) {
     if (!p) return "none of these";
-    return p->entry->name + ", " + digits("%.0f", p->rate) + "\u00a0Hz, " + plain(p->time * 1e6) +
-           "\u00a0µs";
+    return p->entry->name + ", " + digits("%.0f", p->rate) + "\u00a0Hz, " + plain(p->time * 1e6) + "\u00a0µs";
 }
 
 }  // namespace
@@ -99,18 +98,16 @@ void work(const Settings&, lab::Findings& out) {
             kept[id] = contest::entries(shape.inertia, start);
             const Points& points = all[id] = contest::measure(kept[id]);
             grey = grey && all_grey(points);
-            auto& table =
-                out.table("work_" + id + ".tsv", {"method", "ours", "rate", "error", "us"});
+            auto& table = out.table("work_" + id + ".tsv", {"method", "ours", "rate", "error", "us"});
             for (std::size_t i = 0; i < points.size(); ++i) {
                 const Point& p = points[i];
                 if (i > 0 && points[i - 1].entry != p.entry) table.gap();
                 table.row({p.entry->id, double(p.entry->ours), p.rate, p.error, p.time * 1e6});
             }
             const Point *percent_1 = cheapest(points, 0.01), *millionth = cheapest(points, 1e-6);
-            best.row({std::string(shape.words), digits("%.0f rad/s", pace.spin),
-                      in_words(percent_1), in_words(millionth)});
-            std::printf("  %-17s %3.0f rad/s  to 1 %%: %s\n", shape.words, pace.spin,
-                        in_words(percent_1).c_str());
+            best.row(
+                {std::string(shape.words), digits("%.0f rad/s", pace.spin), in_words(percent_1), in_words(millionth)});
+            std::printf("  %-17s %3.0f rad/s  to 1 %%: %s\n", shape.words, pace.spin, in_words(percent_1).c_str());
         }
 
     out.check("work_grey", grey, "all nine panels show every rule of the appendix");
@@ -118,8 +115,7 @@ void work(const Settings&, lab::Findings& out) {
     const auto& ns = step_times();
     const auto cost = [&](const std::string& key, const std::string& name) {
         out.number("ns_" + name, ns.at(key), "ns", "time of a step", 3);
-        out.number("cost_" + name, ns.at(key) / ns.at("implicit"), "", "over that of the talk's",
-                   3);
+        out.number("cost_" + name, ns.at(key) / ns.at("implicit"), "", "over that of the talk's", 3);
     };
     const std::string magnus = "magnus_taylor_4";
     for (const Method& method : methods()) cost(method.key, method.key);
@@ -136,43 +132,37 @@ void work(const Settings&, lab::Findings& out) {
     bool nearer = true;
     for (const auto& [id, points] : all)
         if (!id.ends_with("_fast"))
-            nearer = nearer && at(points, magnus, rate).error <=
-                                   std::max(at(points, "remainder_2", rate).error, 1e-9);
+            nearer = nearer && at(points, magnus, rate).error <= std::max(at(points, "remainder_2", rate).error, 1e-9);
     out.check("magnus_nearer", nearer,
               "at 60 Hz, up to 10 rad/s, Magnus and Taylor are nearer than ball and remainder 2");
     bool alike = true;  // up to 10 rad/s, of box and nearly symmetric body
     for (const char* id : {"near_slow", "near_game", "box_slow", "box_game"}) {
-        const double ratio =
-            at(all[id], "cayley", rate).error / at(all[id], "half_step", rate).error;
+        const double ratio = at(all[id], "cayley", rate).error / at(all[id], "half_step", rate).error;
         alike = alike && ratio > 0.9 && ratio < 1.15;
     }
     out.check("cayley_alike", alike,
               "at 60 Hz, up to 10 rad/s, box and nearly symmetric body: Cayley's error is that of "
               "the half-step "
               "Jacobian, within 15 %");
-    const double of_needle = at(all["needle_game"], "cayley", rate).error /
-                             at(all["needle_game"], "half_step", rate).error;
-    out.check(
-        "cayley_needle", of_needle > 2,
-        "needle, 10 rad/s, 60 Hz: Cayley's error is more than twice the half-step Jacobian's");
+    const double of_needle =
+        at(all["needle_game"], "cayley", rate).error / at(all["needle_game"], "half_step", rate).error;
+    out.check("cayley_needle", of_needle > 2,
+              "needle, 10 rad/s, 60 Hz: Cayley's error is more than twice the half-step Jacobian's");
     out.number("cayley_price", ns.at("cayley") / ns.at("half_step"), "",
                "time of a step of Cayley over that of the half-step Jacobian", 2);
     bool alone = true, thrice = true;
     for (const Shape& shape : shapes) {
         const Points& fast = all[std::string(shape.id) + "_fast"];
-        for (const char* k :
-             {"implicit", "passive", "half_step", "cayley", "strang", "runge_kutta_4"})
+        for (const char* k : {"implicit", "passive", "half_step", "cayley", "strang", "runge_kutta_4"})
             alone = alone && at(fast, k, rate).error > lost;
         alone = alone && at(fast, "remainder_4", rate).error < 0.02;
-        if (std::string(shape.id) != "near")
-            alone = alone && at(fast, "remainder_2", rate).error > lost;
+        if (std::string(shape.id) != "near") alone = alone && at(fast, "remainder_2", rate).error > lost;
     }
     for (const auto& [id, points] : all) {
         const contest::Entry& other = *at(points, "runge_kutta_4", rate).entry;
         for (const Point& p : points)
             if (p.entry->id == "remainder_4" && p.error < 0.1 && p.error > 1e-11)
-                thrice =
-                    thrice && p.error < other.error(std::lround(3 * p.rate * contest::seconds));
+                thrice = thrice && p.error < other.error(std::lround(3 * p.rate * contest::seconds));
     }
     out.check("fast_alone", alone,
               "100 rad/s at 60 Hz, the figure's throw: ball and remainder 4 is off by less than 2 "

@@ -7,8 +7,7 @@ namespace extremes {
 
 std::vector<Cell> of_bodies() {
     std::vector<Cell> cells = of_bodies_in<double>();
-    for (const auto& more : {of_bodies_in<float>(), of_balls()})
-        cells.insert(cells.end(), more.begin(), more.end());
+    for (const auto& more : {of_bodies_in<float>(), of_balls()}) cells.insert(cells.end(), more.begin(), more.end());
     return cells;
 }
 

@@ -12,8 +12,8 @@
 namespace extremes {
 
 template <class Real>
-using AnyInertia = std::variant<UniformInertia<Real>, RodInertia<Real>, SymmetricInertia<Real>,
-                                PrincipalInertia<Real>, FullInertia<Real>>;
+using AnyInertia = std::variant<UniformInertia<Real>, RodInertia<Real>, SymmetricInertia<Real>, PrincipalInertia<Real>,
+                                FullInertia<Real>>;
 
 template <class Real>
 bool is_gyroscopic(const AnyInertia<Real>& any) {
@@ -37,13 +37,10 @@ struct AnySolver {
     template <class Solver>
     explicit AnySolver(const Solver&)
         : name(Solver::name), turned([](const AnyInertia<Real>& any, const S& s, Real h) {
-              return std::visit(
-                  [&](const auto& inertia) { return step_rotation(Solver{}, inertia, s, h); }, any);
+              return std::visit([&](const auto& inertia) { return step_rotation(Solver{}, inertia, s, h); }, any);
           }) {}
 
-    S step(const AnyInertia<Real>& inertia, const S& s, Real h) const {
-        return turned(inertia, s, h);
-    }
+    S step(const AnyInertia<Real>& inertia, const S& s, Real h) const { return turned(inertia, s, h); }
     bool is(std::string_view other) const { return name == other; }
 };
 
@@ -75,26 +72,21 @@ public:
 
     // What an inertia refuses to be, whatever the solver.
     void inertias() {
-        const auto refuse = [&](const char* scene, const char* kind, const char* named,
-                                const auto& make) {
+        const auto refuse = [&](const char* scene, const char* kind, const char* named, const auto& make) {
             Solver solver(no_gyroscopic);
             solver.name = kind;
-            cells_.push_back(cell<Inertia>(scene, solver, make, spinning(1, "ball"), h, 1,
-                                           refused(named), [](const S&) { return 0.0; }));
+            cells_.push_back(cell<Inertia>(scene, solver, make, spinning(1, "ball"), h, 1, refused(named),
+                                           [](const S&) { return 0.0; }));
         };
         const char* moment_named = "moment of inertia";
         const char* least = "least moment of inertia";
-        for (const auto& [scene, bad] : {std::pair{"moment 0", Real(0)},
-                                         {"moment < 0", Real(-1)},
-                                         {"moment ∞", inf},
-                                         {"moment NaN", nan}}) {
+        for (const auto& [scene, bad] :
+             {std::pair{"moment 0", Real(0)}, {"moment < 0", Real(-1)}, {"moment ∞", inf}, {"moment NaN", nan}}) {
             const Real moment = bad;
             refuse(scene, "ball", moment_named, [=] { return UniformInertia<Real>(moment); });
             refuse(scene, "rod", moment_named, [=] { return RodInertia<Real>(moment); });
-            refuse(scene, "symmetric", moment_named,
-                   [=] { return SymmetricInertia<Real>(1, moment); });
-            refuse(scene, "principal", moment_named,
-                   [=] { return PrincipalInertia<Real>(1, 1, moment); });
+            refuse(scene, "symmetric", moment_named, [=] { return SymmetricInertia<Real>(1, moment); });
+            refuse(scene, "principal", moment_named, [=] { return PrincipalInertia<Real>(1, 1, moment); });
             refuse(scene, "full",
                    !std::isfinite(moment) ? "inertia"
                    : moment < 0           ? moment_named
@@ -102,12 +94,10 @@ public:
                    [=] { return FullInertia<Real>(V(1, 1, moment).asDiagonal()); });
         }
         // No body is so flat that one moment exceeds the sum of the others.
-        refuse("moments 1, 1, 1e30", "symmetric", moment_named,
-               [] { return SymmetricInertia<Real>(1, Real(1e30)); });
+        refuse("moments 1, 1, 1e30", "symmetric", moment_named, [] { return SymmetricInertia<Real>(1, Real(1e30)); });
         refuse("moments 1, 1, 1e30", "principal", moment_named,
                [] { return PrincipalInertia<Real>(1, 1, Real(1e30)); });
-        refuse("moments 1, 1, 1e30", "full", least,
-               [] { return FullInertia<Real>(V(1, 1, Real(1e30)).asDiagonal()); });
+        refuse("moments 1, 1, 1e30", "full", least, [] { return FullInertia<Real>(V(1, 1, Real(1e30)).asDiagonal()); });
         // A full matrix cannot tell so small a moment from its own roundoff.
         refuse("moments 1, 1, 1e−30", "full", least,
                [] { return FullInertia<Real>(V(1, 1, Real(1e-30)).asDiagonal()); });
@@ -128,13 +118,12 @@ private:
     // Askew in the world; a rod cannot spin about itself, the others do.
     static S spinning(Real spin, const std::string& kind) {
         const Quaternion<Real> q = Quaternion<Real>(1, 2, -1, 3).normalized();
-        const V body =
-            kind == "rod" ? V(Real(0.6), Real(0.8), 0) : V(Real(0.48), Real(0.6), Real(0.64));
+        const V body = kind == "rod" ? V(Real(0.6), Real(0.8), 0) : V(Real(0.48), Real(0.6), Real(0.64));
         return {0, q, spin * (q * body)};
     }
 
-    void add(const char* scene, Solver solver, const std::string& kind, const Inertia& inertia,
-             const S& start, Real step, long steps, const Theory& theory, const Size<S>& size) {
+    void add(const char* scene, Solver solver, const std::string& kind, const Inertia& inertia, const S& start,
+             Real step, long steps, const Theory& theory, const Size<S>& size) {
         const std::string name = std::string(solver.name) + ", " + kind;
         solver.name = name.c_str();
         cells_.push_back(cell<Inertia>(
@@ -169,40 +158,34 @@ private:
         };
         const auto energy = [&](Real spin) {  // in units of spin², as squares would overflow
             const double first = energy_of(inertia, scaled_to_one(spinning(spin, kind), spin));
-            return [=](const S& s) {
-                return risen(solver, double(energy_of(inertia, scaled_to_one(s, spin))) / first);
-            };
+            return
+                [=](const S& s) { return risen(solver, double(energy_of(inertia, scaled_to_one(s, spin))) / first); };
         };
 
         // Nothing happens: h ω is below the last digit of everything it is added to.
         const S slow = spinning(tiny<Real>, kind);
-        add("spin tiny", solver, kind, inertia, slow, h, 100,
-            {Outcome::exact, 100 * 100 * eps<Real>}, [=](const S& s) {
-                return double(((s.omega - slow.omega) / tiny<Real>).cwiseAbs().maxCoeff());
-            });
+        add("spin tiny", solver, kind, inertia, slow, h, 100, {Outcome::exact, 100 * 100 * eps<Real>},
+            [=](const S& s) { return double(((s.omega - slow.omega) / tiny<Real>).cwiseAbs().maxCoeff()); });
         // Explicitly the energy grows by h² times that of the torque, in every step: by 1 % at
         // least.
         if (blows_up) {
             const auto size = energy(1);
             add("spin 1", solver, kind, inertia, spinning(1, kind), h, 1000, {Outcome::exact, 0.5},
                 [=](const S& s) { return s.t > 0 && size(s) <= 1.01 ? 1.0 : 0.0; });
-            Cell& gain =
-                cells_.back();  // that is no law of growth for judge(); if it holds, it grows
+            Cell& gain = cells_.back();  // that is no law of growth for judge(); if it holds, it grows
             gain.expected = Outcome::grows;
             if (gain.found == Outcome::exact) gain.found = Outcome::grows;
         } else {
-            add("spin 1", solver, kind, inertia, spinning(1, kind), h, 1000,
-                {Outcome::bounded, bound(1000)}, energy(1));
+            add("spin 1", solver, kind, inertia, spinning(1, kind), h, 1000, {Outcome::bounded, bound(1000)},
+                energy(1));
         }
         // The explicit step multiplies the spin across the axis by 1e7 or more, or squares it. The
         // talk's one iteration promises nothing at hω = 1e8, but where it is the solution, on a
         // symmetric body.
-        const bool promises =
-            !solver.is(ImplicitGyroscopic::name) || !gyroscopic || kind == "symmetric";
+        const bool promises = !solver.is(ImplicitGyroscopic::name) || !gyroscopic || kind == "symmetric";
         if (promises)
             add("spin 1e10", solver, kind, inertia, spinning(Real(1e10), kind), h, 100,
-                blows_up ? Theory{Outcome::reported, 0, 0, 50}
-                         : Theory{Outcome::bounded, bound(100)},
+                blows_up ? Theory{Outcome::reported, 0, 0, 50} : Theory{Outcome::bounded, bound(100)},
                 energy(Real(1e10)));
         // The same in steps of 100 s. In float the orientation's step, which squares hω/2, leaves
         // the numbers; whatever the solver, the run comes to its end.
@@ -213,8 +196,7 @@ private:
                                : Theory{Outcome::bounded, bound(10)},
                 energy(Real(1e18)));
         // The orientation's step squares hω/2.
-        add("spin huge", solver, kind, inertia,
-            spinning(is_float<Real> ? Real(1e24) : Real(1e200), kind), h, 10,
+        add("spin huge", solver, kind, inertia, spinning(is_float<Real> ? Real(1e24) : Real(1e200), kind), h, 10,
             {Outcome::reported, 0, 0, 1}, [](const S&) { return 0.0; });
     }
 
@@ -232,8 +214,7 @@ private:
         const S right = run(solver, inertia_of<Real>(kind, 1), spinning(1, kind), h, 1000);
         add(scene, solver, kind, inertia_of(kind, unit), spinning(1, kind), h, 1000,
             {Outcome::exact, 1000 * 100 * eps<Real>}, [=](const S& s) {
-                return double((s.omega - right.omega).norm() +
-                              (s.q.coeffs() - right.q.coeffs()).norm());
+                return double((s.omega - right.omega).norm() + (s.q.coeffs() - right.q.coeffs()).norm());
             });
     }
 
@@ -249,10 +230,8 @@ private:
             };
             // Explicitly the spin across grows by √(1 + θ²) a step, θ = h ω_z.
             Theory theory{Outcome::bounded, 1 + 1000 * 64 * eps<Real>};
-            if (solver.is(ExplicitGyroscopic::name))
-                theory = {Outcome::grows, 0, 1000 * std::log1p(0.64 * 0.64 / 64)};
-            add("moments 1, 1, 1e−30", solver, kind, inertia, start, Real(1) / 8, 1000, theory,
-                size);
+            if (solver.is(ExplicitGyroscopic::name)) theory = {Outcome::grows, 0, 1000 * std::log1p(0.64 * 0.64 / 64)};
+            add("moments 1, 1, 1e−30", solver, kind, inertia, start, Real(1) / 8, 1000, theory, size);
         };
         needle("symmetric", SymmetricInertia<Real>(1, Real(1e-30)));
         needle("principal", PrincipalInertia<Real>(1, 1, Real(1e-30)));
@@ -266,8 +245,7 @@ template <class Real>
 std::vector<Cell> of_bodies_in() {
     std::vector<Cell> cells;
     Bodies<Real>(cells).inertias();
-    for_each_gyroscopic(
-        [&](const auto& solver) { Bodies<Real>(cells).all(AnySolver<Real>(solver)); });
+    for_each_gyroscopic([&](const auto& solver) { Bodies<Real>(cells).all(AnySolver<Real>(solver)); });
     return cells;
 }
 extern template std::vector<Cell> of_bodies_in<float>();  // in extreme_bodies_float.cpp

@@ -27,8 +27,7 @@ struct Ball {
 template <class Real>
 struct OnGround {
     static constexpr const char* name = "a ball on the ground";
-    std::function<void(const Ball<Real>&, BodyState<Real>&, Real)>
-        change;  // a step of one of the scenes
+    std::function<void(const Ball<Real>&, BodyState<Real>&, Real)> change;  // a step of one of the scenes
     Rolling<Real> step(const Ball<Real>& ball, const Rolling<Real>& s, Real h) const {
         BodyState<Real> m = s.motion;
         change(ball, m, h);
@@ -50,16 +49,16 @@ void on_ground(std::vector<Cell>& cells) {
     const auto from = [&](Real v, Real spin, Real z) {
         return S{0, {{0, Quaternion<Real>::Identity(), V(0, spin, 0)}, V(0, 0, z), V(v, 0, 0)}};
     };
-    const auto add = [&](const char* name, const OnGround<Real>& method, Real mass, Real radius,
-                         const S& start, long steps, const Theory& theory, const Size<S>& size) {
+    const auto add = [&](const char* name, const OnGround<Real>& method, Real mass, Real radius, const S& start,
+                         long steps, const Theory& theory, const Size<S>& size) {
         const Make<Ball<Real>> make = [&] {
             checked(start.motion);
             return checked(Ball<Real>{UniformInertia<Real>(Real(0.4) * r * r), mass, radius});
         };
         cells.push_back(cell(name, method, make, start, h, steps, theory, size));
     };
-    const OnGround<Real> lawn{on(
-        BodyScene(Weight<Real>(g), Ground<Real>(Real(0.5)), RollingResistance<Real>(Real(0.01))))};
+    const OnGround<Real> lawn{
+        on(BodyScene(Weight<Real>(g), Ground<Real>(Real(0.5)), RollingResistance<Real>(Real(0.01))))};
     const auto none = [](const S&) { return 0.0; };
     const S good = from(1, 0, r);
     for (const auto& [name, bad] : {std::pair{"mass 0", Real(0)},
@@ -78,12 +77,11 @@ void on_ground(std::vector<Cell>& cells) {
 
     // Too fast for friction to be felt: v stays, and friction turns the ball, by 5/2 μ g t/r.
     const OnGround<Real> ground{on(BodyScene(Weight<Real>(g), Ground<Real>(Real(0.5))))};
-    add("ball's speed 1e150", ground, 1, r, from(fast, 0, r), 100,
-        {Outcome::exact, 100 * 8 * eps<Real>}, [=](const S& s) {
+    add("ball's speed 1e150", ground, 1, r, from(fast, 0, r), 100, {Outcome::exact, 100 * 8 * eps<Real>},
+        [=](const S& s) {
             const double right = 2.5 * 0.5 * g * double(s.t) / r;
             const double spin = double(s.motion.turning.omega.y());
-            return std::fabs(double(s.motion.v.x() / fast - 1)) +
-                   std::fabs(spin - right) / std::fmax(right, 1);
+            return std::fabs(double(s.motion.v.x() / fast - 1)) + std::fabs(spin - right) / std::fmax(right, 1);
         });
     // So rough a ground that sliding ends in a step, at 5/7 of the speed, or at 2/7 of the spin.
     const OnGround<Real> rough{on(BodyScene(Weight<Real>(g), Ground<Real>(huge<Real>)))};
@@ -94,10 +92,10 @@ void on_ground(std::vector<Cell>& cells) {
             return s.t > 0 ? std::fabs(x - 1) + std::fabs(y - 1) : 0;
         };
     };
-    add("ball's speed 1e150, friction huge", rough, 1, r, from(fast, 0, r), 100,
-        {Outcome::exact, 100 * 16 * eps<Real>}, rolls(5 * fast / 7));
-    add("ball's spin 1e150, friction huge", rough, 1, r, from(0, fast, r), 100,
-        {Outcome::exact, 100 * 16 * eps<Real>}, rolls(2 * r * fast / 7));
+    add("ball's speed 1e150, friction huge", rough, 1, r, from(fast, 0, r), 100, {Outcome::exact, 100 * 16 * eps<Real>},
+        rolls(5 * fast / 7));
+    add("ball's spin 1e150, friction huge", rough, 1, r, from(0, fast, r), 100, {Outcome::exact, 100 * 16 * eps<Real>},
+        rolls(2 * r * fast / 7));
 }
 
 }  // namespace

@@ -55,8 +55,7 @@ struct Known {
           limit([](double zeta) { return stability_limit(Method{}, zeta).value; }),
           growth(extremes::growth<Method>),
           factor(nullptr) {
-        if constexpr (HasStabilityFunction<Method>)
-            factor = [](Complex z) { return stability_function(Method{}, z); };
+        if constexpr (HasStabilityFunction<Method>) factor = [](Complex z) { return stability_function(Method{}, z); };
     }
 };
 
@@ -68,15 +67,13 @@ struct ExtremeMethod : Known {
     using On = AnyMethod<Model, State<X>>;
 
     const char* name;
-    std::tuple<On<Spring<Real>>, On<DampedSpring<Real>>, On<Projectile<Real>>, On<Drag<Real>>,
-               On<Pendulum<Real>>, On<Scene<Spring<Real>, Projectile<Real>>>,
-               On<CoupledSprings<Real, 2>, Plane>, On<Tether<Real>, Plane>,
+    std::tuple<On<Spring<Real>>, On<DampedSpring<Real>>, On<Projectile<Real>>, On<Drag<Real>>, On<Pendulum<Real>>,
+               On<Scene<Spring<Real>, Projectile<Real>>>, On<CoupledSprings<Real, 2>, Plane>, On<Tether<Real>, Plane>,
                AnyMethod<Decay<Real>, FirstOrder<Real>>>
         steps;
 
     template <class Method>
-    explicit ExtremeMethod(const Method& m)
-        : Known(m), name(m.name), steps(m, m, m, m, m, m, m, m, m) {}
+    explicit ExtremeMethod(const Method& m) : Known(m), name(m.name), steps(m, m, m, m, m, m, m, m, m) {}
 
     template <class Model, class S>
     const AnyMethod<Model, S>& on() const {
@@ -95,10 +92,8 @@ Theory spring_theory(const Known& method, double omega, double zeta, double h, l
     const double log_step = static_cast<double>(std::log(method.growth(zeta, s)));
     const double log_largest = std::log(static_cast<double>(std::numeric_limits<Real>::max()));
     const double log_last = log_step * steps;
-    if (log_last + std::log(8 * std::max(1.0, omega)) < log_largest)
-        return {Outcome::grows, 0, log_last};
-    if (log_last < log_largest * 1.01 + 3 * log_step)
-        throw std::logic_error("extremes: take more steps");
+    if (log_last + std::log(8 * std::max(1.0, omega)) < log_largest) return {Outcome::grows, 0, log_last};
+    if (log_last < log_largest * 1.01 + 3 * log_step) throw std::logic_error("extremes: take more steps");
     Theory theory{Outcome::reported, 0, 0, log_largest * 1.01 / log_step + 3};
     theory.earliest = (log_largest - std::log(8 * std::max(1.0, omega))) * 0.99 / log_step - 3;
     return theory;

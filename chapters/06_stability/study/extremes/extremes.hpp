@@ -27,8 +27,7 @@ enum class Outcome {
 };
 
 inline const char* words(Outcome word) {
-    const char* all[] = {"refused", "does not compile",     "exact", "bounded",
-                         "grows",   "not finite, reported", "wrong"};
+    const char* all[] = {"refused", "does not compile", "exact", "bounded", "grows", "not finite, reported", "wrong"};
     return all[static_cast<int>(word)];
 }
 
@@ -68,18 +67,14 @@ inline Theory refused(const char* named) { return {Outcome::refused, 1, 0, 0, na
 inline double larger(double a, double b) { return a < b || std::isnan(b) ? b : a; }
 
 // The word for a run that came to an end with `size`, from `first` on; `largest` on the way.
-inline Outcome judge(const Theory& theory, double first, double largest, double last,
-                     long blew_up_at) {
+inline Outcome judge(const Theory& theory, double first, double largest, double last, long blew_up_at) {
     if (blew_up_at > 0)
-        return theory.expected == Outcome::reported && blew_up_at >= theory.earliest &&
-                       blew_up_at <= theory.latest
+        return theory.expected == Outcome::reported && blew_up_at >= theory.earliest && blew_up_at <= theory.latest
                    ? Outcome::reported
                    : Outcome::wrong;
     if (theory.expected == Outcome::bounded)
-        return largest <= theory.size && last <= theory.last_size ? Outcome::bounded
-                                                                  : Outcome::wrong;
-    if (theory.expected == Outcome::exact)
-        return last <= theory.size ? Outcome::exact : Outcome::wrong;
+        return largest <= theory.size && last <= theory.last_size ? Outcome::bounded : Outcome::wrong;
+    if (theory.expected == Outcome::exact) return last <= theory.size ? Outcome::exact : Outcome::wrong;
     // What is no eigenvector makes up to a factor 8 of difference once, and roundoff 1 % of the
     // exponent.
     const double off = std::log(last) - std::log(first) - theory.log_growth;
@@ -92,26 +87,18 @@ inline Outcome judge(const Theory& theory, double first, double largest, double 
 template <class Model>
 using Make = std::function<Model()>;  // or throws
 template <class S>
-using Size =
-    std::function<double(const S&)>;  // of a state; in exact cells its distance from the right one
+using Size = std::function<double(const S&)>;  // of a state; in exact cells its distance from the right one
 
 // Does the message begin with what is bad?
 inline bool names(const std::string& message, const std::string& named) {
-    return !named.empty() &&
-           (message.rfind(named + " = ", 0) == 0 || message.rfind(named + ": ", 0) == 0);
+    return !named.empty() && (message.rfind(named + " = ", 0) == 0 || message.rfind(named + ": ", 0) == 0);
 }
 
 // Makes the model, runs it, and finds the word.
 template <class Model, class Method, class S>
-Cell cell(const char* scene, const Method& method, const Make<Model>& make, const S& start,
-          real_of<S> h, long steps, const Theory& theory,
-          const std::type_identity_t<Size<S>>& size) {
-    Cell cell{is_float<real_of<S>> ? "float" : "double",
-              scene,
-              method.name,
-              theory.expected,
-              Outcome::wrong,
-              ""};
+Cell cell(const char* scene, const Method& method, const Make<Model>& make, const S& start, real_of<S> h, long steps,
+          const Theory& theory, const std::type_identity_t<Size<S>>& size) {
+    Cell cell{is_float<real_of<S>> ? "float" : "double", scene, method.name, theory.expected, Outcome::wrong, ""};
     try {
         const Model model = make();
         double largest = 0;
