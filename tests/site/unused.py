@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Does a page or a plot name every number that a run leaves, and every snippet mark?
+"""Does a study write a number that no page and no plot names, or a source have a snippet mark that no page quotes?
 
-    unused.py ROOT RUNS    prints a line for each that nothing names; exit status 1 when there is one
+    unused.py ROOT RUNS    prints a line for each line of code that does; exit status 1 when there is one
 
 A number counts as named where a page puts it in ({{name}}, {{03_euler_variants/name}}, {{where name}}) or a plot
-reads it by its name. A mark is a pair of lines `/// [tag]`, quoted by {{code file tag}}.
+reads it by its name. A line in a loop writes several numbers: one of them must be named. A mark is a pair of lines `/// [tag]`, quoted by {{code file tag}}.
 """
 import pathlib
 import re
@@ -13,7 +13,8 @@ import sys
 
 def pages(root):
     """(run of the page or nothing, text) of every page's source."""
-    for file in sorted([*root.glob("chapters/*/*.md"), *root.glob("docs/**/*.md"), *root.glob("engines/*.md"), *root.glob("docs/**/*.dox")]):
+    for file in sorted([*root.glob("chapters/*/*.md"), *root.glob("docs/**/*.md"), *root.glob("engines/*.md"), *root.glob("docs/**/*.dox"),
+                        root / "docs/talks.tsv"]):
         yield file.parent.name if file.parent.parent.name == "chapters" else "", file.read_text(encoding="utf-8")
 
 
@@ -29,14 +30,28 @@ def used_numbers(root):
     return used, plots
 
 
+def cells(file):
+    return [line.split("\t") for line in file.read_text(encoding="utf-8").splitlines()[1:]]
+
+
 def unused_numbers(root, runs):
     used, plots = used_numbers(root)
     for file in sorted(runs.glob("*/run/numbers.tsv")):
         run = file.parent.parent.name
-        for line in file.read_text(encoding="utf-8").splitlines()[1:]:
-            name = line.split("\t")[0]
-            if (run, name) not in used and name not in plots:
-                yield f"{run}: no page and no plot names the number {name}"
+        places = file.parent / "places.tsv"
+        if not places.exists():  # a record of runs elsewhere
+            continue
+        written_at = {name: place for name, kind, place in cells(places) if kind == "number"}
+        unused, needed = {}, set()
+        for name, *_ in cells(file):
+            place = written_at.get(name, name)
+            if (run, name) in used or name in plots:
+                needed.add(place)
+            else:
+                unused.setdefault(place, name)
+        for place, name in unused.items():
+            if place not in needed:
+                yield f"{place}: no page and no plot names the number {name}"
 
 
 def unused_marks(root):

@@ -162,7 +162,6 @@ void uneven_capsule(const Settings& settings, lab::Findings& out) {
                "passive: what is left after a second of the spin about the length");
     out.number("uneven_energy", passive.energy, "", "passive: energy left");
     out.number("uneven_momentum", passive.momentum, "", "passive: momentum left");
-    out.number("uneven_implicit", implicit.spin, "rad/s", "one Newton step: spin about the length that is left");
     out.check("uneven_passive", std::fabs(passive.spin) < 0.1 && passive.flat > 1,
               "passive: a capsule with unequal moments across ends end over end, flat");
     out.check("uneven_quarter", std::fabs(quarter.spin) < 1,

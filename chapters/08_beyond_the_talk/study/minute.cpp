@@ -60,8 +60,6 @@ void minute(const Settings& settings, lab::Findings& out) {
             cells.push_back(three(E)), cells.push_back(three(M));
             std::printf(" %7s %7s", three(E).c_str(), three(M).c_str());
             const auto name = [&](const char* what) { return "minute_" + k + "_" + id + what; };
-            if (k == "remainder_4" && id == "fast")  // the one that a page names
-                out.number(name("_energy"), E, "", "energy after a minute over that at the start");
             // A few ε a step, at the worst all one way.
             const double roundoff = 26 * 2.3e-16 * double(steps);
             const std::string of = std::string(": ") + c.words;

@@ -289,6 +289,7 @@ struct FullInertia {
     Vector3<Real> velocity(const Vector3<Real>& L) const { return times(inverse, L); }
 
 private:
+    /// \cond
     // The matrix from its principal axes, and the first rule that it breaks.
     struct Analysis {
         Matrix3<Real> axes = Matrix3<Real>::Identity(), inverse = axes;
@@ -338,6 +339,7 @@ private:
                          "so large that the inverse of the matrix is finite"};
         }
     };
+    /// \endcond
 
     FullInertia(const Matrix3<Real>& I, const Analysis& found)
         : matrix(I),
