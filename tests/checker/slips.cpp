@@ -45,7 +45,6 @@ double last_two(const std::vector<double>& x) {
         sum += slip::in(x)[i];
     return sum;
 }
-double inverse(double x) { return 1 / x; }
 double slipping_inverse(double x) { return 1 / slip::Over{10} / x; }
 
 // Its last term twice, or x h half. Nothing that is given is changed by it, which would be a name of its own.

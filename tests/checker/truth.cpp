@@ -27,10 +27,6 @@ double a_little_off(double x0, double x1, double h) { return (x1 - x0) / h * (1 
 double off_by_a_fifth(double x0, double x1, double h) { return (x1 - x0) / h * 1.2; }
 double logarithm(double x) { return std::log1p(x); }
 double one_too_many(double x) { return std::log(1 + x); }
-double arrives(double, double goal) { return goal; }
-double by_change(double start, double goal) { return start + (goal - start); }
-double tension(double x, double k, double c, double v) { return std::max(k * x + c * v, 0.0); }
-double fused_tension(double x, double k, double c, double v) { return std::max(std::fma(k, x, c * v), 0.0); }
 double sine(double angle) { return std::sin(angle); }
 double forgets_h(double x0, double x1, double) { return x1 - x0; }
 double sine_that_rounds(double angle) { return slip::sin(10, angle); }

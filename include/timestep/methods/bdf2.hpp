@@ -2,7 +2,7 @@
 /// \file
 /// BDF2: a backward difference over two steps.
 
-#include <optional>
+#include <limits>
 
 #include <timestep/methods/implicit_midpoint.hpp>
 
@@ -69,7 +69,7 @@ public:
     const S& now() const { return now_; }  ///< the latest state
 
     /// Goes on from `state`, whatever was before.
-    void restart(const S& state) { now_ = before_ = state, last_h_.reset(); }
+    void restart(const S& state) { now_ = before_ = state, last_h_ = none; }
 
     /// One step of length h, in seconds.
     template <class Model>
@@ -80,8 +80,9 @@ public:
     }
 
 private:
+    static constexpr auto none = std::numeric_limits<real_of<S>>::quiet_NaN();  // equals no h
     S now_, before_;
-    std::optional<real_of<S>> last_h_;  // empty after a start or a restart
+    real_of<S> last_h_ = none;  // after a start or a restart
 };
 /// [motion]
 

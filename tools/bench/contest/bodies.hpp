@@ -70,7 +70,7 @@ void count(Work& work, const Solver& solver, const Inertia& inertia, const times
     using namespace timestep;
     if constexpr (std::is_same_v<Solver, ConvergedGyroscopic> && std::is_same_v<Inertia, PrincipalInertia<Real>>) {
         const Vector3<Real> in_body = s.q.conjugate() * s.omega;
-        solver.step(inertia, in_body, h, [&] { ++work.evaluations, ++work.solves; });
+        (void)solver.step(inertia, in_body, h, [&] { ++work.evaluations, ++work.solves; });
     } else {
         const bool has_torque = !std::is_same_v<Solver, NoGyroscopic> && !std::is_same_v<Solver, LaggedInertia>;
         work.evaluations += has_torque;
