@@ -19,13 +19,13 @@ set style fill solid 1.0 border rgb "white"
 colour(word) = word == 0 ? 0xcccccc : word == 1 ? 0xf4f4f4 : word == 2 ? 0x56b4e9 : word == 3 ? 0x009e73 : \
                word == 4 ? 0xe69f00 : 0xd55e00
 sign(word) = word == 0 ? "✕" : word == 1 ? "–" : word == 2 ? "=" : word == 3 ? "○" : word == 4 ? "↑" : "∞"
-meaning = "'does not compile' exact bounded grows 'not finite, reported'"
-do for [i = 1:5] {
-    y = 0.22 - 0.037 * i
-    set object i rectangle from screen 0.02, screen y - 0.0155 to screen 0.06, screen y + 0.0155 \
+meaning = "refused 'does not compile' exact bounded grows 'not finite, reported'"
+do for [i = 0:5] {
+    y = 0.2 - 0.034 * i
+    set object 1 + i rectangle from screen 0.02, screen y - 0.0155 to screen 0.06, screen y + 0.0155 \
         fc rgb colour(i) fs solid border rgb "#999999"
-    set label i sign(i) at screen 0.04, screen y center tc rgb on_paint font ",14"
-    set label 5 + i word(meaning, i) at screen 0.075, screen y left tc rgb ink
+    set label 1 + i sign(i) at screen 0.04, screen y center tc rgb on_paint font ",14"
+    set label 7 + i word(meaning, 1 + i) at screen 0.075, screen y left tc rgb ink
 }
 # The last name leans out of the picture by itself: gnuplot refuses a longer one.
 shown(method) = method eq "constant acceleration" ? "constant accel." : method
