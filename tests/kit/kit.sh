@@ -17,6 +17,15 @@ refused() {
     says err "$words"
 }
 
+# The one archive of the site holds what lies unpacked beside it, where it can be looked at.
+open_archive() {
+    mkdir unpacked
+    (cd unpacked && cmake -E tar xf ../kit/site/take_home.zip) || fail 'take_home.zip cannot be unpacked'
+    diff -r unpacked/take_home kit/site/take_home || fail 'take_home.zip holds something else'
+    is "$(ls -A unpacked)" take_home
+    rm kit/site/take_home.zip
+}
+
 velocity_now=exercises/01_derivatives/velocity_now.cpp
 solved() { cp "$source/solutions/01_derivatives/velocity_now.cpp" "$1/$velocity_now"; }
 
@@ -33,6 +42,7 @@ test_it_holds_nothing_of_the_tests_and_the_solutions() {
     checkout=$folder/teacher
     expect 0 make_kit kit
     says out 'no solution'
+    open_archive
     "$leaks" "$source" kit || fail 'a leak'
     found=$(cd kit && find . -name 'mistakes*' -o -name 'correct.cpp' -o -name 'properties*' \
         -o -name tests -o -name solutions -o -name '.git' -o -name '.ci' -o -name .progress -o -name self_test)
@@ -52,6 +62,7 @@ test_it_holds_nothing_of_the_tests_and_the_solutions() {
 test_with_solutions_it_shows_one_after_a_pass() {
     expect 0 make_kit kit --with-solutions
     says out 'kit/solutions'
+    open_archive
     expect 1 "$leaks" "$source" kit
     is "$(grep -v -e '^kit/kit/solutions/' -e ' lines looked for in ' out)" ''
     is "$(grep -c '^kit/kit/solutions/' out)" "$(find "$source/solutions" -type f | wc -l)"
