@@ -3,7 +3,6 @@
 // What a link of one of them leads to on another stands in the same file then; what is not in the book, a source
 // or a page of the library, is no link there, as a printed book is read without the site.
 
-#include "error.hpp"
 #include "text.hpp"
 
 #include <iostream>

@@ -1,6 +1,5 @@
 #include "chapter.hpp"
 
-#include "error.hpp"
 #include "text.hpp"
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace page {
@@ -17,6 +18,10 @@ struct Directive {
     std::string text;
 };
 Directive parse_directive(const std::string& inner);
+
+/// Fills a page's source: the Markdown that Doxygen reads. `file` is the source's name in errors.
+/// Throws Error.
+std::string fill(Context& context, std::string_view source, const std::string& file);
 
 // Each `…_markdown` returns the Markdown (with HTML where Markdown has no word for it) that takes a directive's place.
 // What is wrong with it is a std::out_of_range or std::invalid_argument with one clear sentence; fill.cpp adds file and

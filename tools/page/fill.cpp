@@ -1,12 +1,10 @@
 // Fills a page: each piece of its source becomes what stands on the page.
 
-#include "fill.hpp"
-
 #include "directives.hpp"
-#include "skeleton.hpp"
 #include "text.hpp"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 namespace page {
@@ -192,6 +190,77 @@ void cut_program(Context& context, const std::vector<Piece>& pieces, const std::
         context.parts = parts_of(context.program, beginnings);
     } catch (const std::out_of_range& wrong) {
         throw Error{file, line, wrong.what()};
+    }
+}
+
+/// The rows that a chapter's second page teaches.
+std::set<std::string> rows_of_more(const Context& context) {
+    const Chapter& chapter = *context.chapter();
+    std::set<std::string> rows;
+    if (chapter.has_more) {
+        const std::string file = chapter.source(true);
+        for (const Piece& piece : scan(read_file(context.root() / file), file)) {
+            if (piece.kind == Piece::Kind::directive && piece.text.starts_with("claims ")) {
+                const Directive directive = parse_directive(piece.text);
+                rows.insert(directive.arguments.begin(), directive.arguments.end());
+            }
+        }
+    }
+    return rows;
+}
+
+/// A chapter's page has the title of its about.json, and its sections have ids that tell whose they are. Throws Error.
+void check_skeleton(const std::vector<Piece>& pieces, const Chapter& chapter, const std::string& file) {
+    for (const Piece& piece : pieces) {
+        if (piece.kind != Piece::Kind::heading) continue;
+        const Heading heading = parse_heading(piece.text);
+        if (heading.level == 1 && heading.title != chapter.title)
+            throw Error{file, piece.line, "the page's title must be that of about.json: " + chapter.title};
+        if (heading.level == 2 && !heading.id.starts_with(chapter.section_prefix()))
+            throw Error{file, piece.line, "a ## section must have an id that begins {#" + chapter.section_prefix()};
+    }
+}
+
+/// A chapter's second page has sections of its own, and ids that tell whose they are. Throws Error.
+void check_more(const std::vector<Piece>& pieces, const Chapter& chapter, const std::string& file) {
+    bool titled = false;
+    for (const Piece& piece : pieces) {
+        if (piece.kind != Piece::Kind::heading) continue;
+        const Heading heading = parse_heading(piece.text);
+        if (!titled && (heading.level != 1 || heading.id != chapter.id(true))) {
+            throw Error{file, piece.line,
+                        "the first heading must be the title, with the id {#" + chapter.id(true) + "}"};
+        }
+        if (titled && (heading.level == 1 || !heading.id.starts_with(chapter.section_prefix(true)))) {
+            throw Error{
+                file, piece.line,
+                "below the title a section is ## or ###, with an id that begins {#" + chapter.section_prefix(true)};
+        }
+        titled = true;
+    }
+    if (!titled) throw Error{file, 1, "the page has no title, with the id {#" + chapter.id(true) + "}"};
+}
+
+/// A chapter shows all its figures and teaches all its rows, on this page or the other of its two. Throws Error where
+/// this one should have. To be asked when all of the page is filled.
+void check_complete(const Context& context) {
+    const Chapter& chapter = *context.chapter();
+    for (const std::string& figure : chapter.figures) {
+        const std::string name = chapter.folder + "/" + figure;
+        const auto found = std::find_if(context.order.begin(), context.order.end(),
+                                        [&](const Numbered& each) { return each.figure == name; });
+        const bool belongs_here = found == context.order.end() ? !context.is_more() : found->page == context.page();
+        if (belongs_here && context.figures.count(name) == 0 && context.left_out.count(name) == 0)
+            throw Error{chapter.about(), 1, "the page does not show " + figure};
+    }
+    if (context.is_more()) return;
+    const std::set<std::string> beside = rows_of_more(context);
+    for (const std::string& row : chapter.claims) {
+        const auto teaches = [&](const IndexEntry& entry) { return entry.row == row && entry.kind == "section"; };
+        if (beside.count(row) == 0 && std::none_of(context.index.begin(), context.index.end(), teaches)) {
+            throw Error{chapter.about(), 1,
+                        row + " is claimed, but no section of the page teaches it ({{claims " + row + "}})"};
+        }
     }
 }
 

@@ -6,8 +6,6 @@
 
 #include "directives.hpp"
 #include "svg_for_web.hpp"
-#include "error.hpp"
-#include "fill.hpp"
 #include "options.hpp"
 #include "text.hpp"
 

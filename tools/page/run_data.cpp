@@ -1,6 +1,5 @@
 #include "run_data.hpp"
 
-#include "error.hpp"
 #include "text.hpp"
 
 #include <cstdlib>

@@ -1,6 +1,5 @@
 #include "scanner.hpp"
 
-#include "error.hpp"
 #include "text.hpp"
 
 #include <algorithm>

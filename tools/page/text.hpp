@@ -1,13 +1,19 @@
 #pragma once
 
-#include "error.hpp"
-
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace page {
+
+/// What a page does wrong, and where: `file:line: message`, as compilers say it.
+class Error : public std::runtime_error {
+public:
+    Error(const std::string& file, int line, const std::string& message)
+        : std::runtime_error{file + ":" + std::to_string(line) + ": " + message} {}
+};
 
 /// The whole file. Throws Error (line 1) when it cannot be read.
 std::string read_file(const std::filesystem::path& path);

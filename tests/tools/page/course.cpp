@@ -1,8 +1,7 @@
 #include "course.hpp"
 
 #include "context.hpp"
-#include "error.hpp"
-#include "fill.hpp"
+#include "directives.hpp"
 #include "text.hpp"
 
 #include <catch2/catch_test_macros.hpp>

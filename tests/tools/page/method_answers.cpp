@@ -12,7 +12,7 @@
 #include "which_method.hpp"
 
 #include "context.hpp"
-#include "fill.hpp"
+#include "directives.hpp"
 #include "text.hpp"
 
 using Catch::Matchers::ContainsSubstring;

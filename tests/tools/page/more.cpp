@@ -6,8 +6,8 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include "context.hpp"
-#include "error.hpp"
-#include "fill.hpp"
+#include "text.hpp"
+#include "directives.hpp"
 
 using Catch::Matchers::ContainsSubstring;
 

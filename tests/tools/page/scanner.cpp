@@ -1,7 +1,7 @@
 // How a source is taken apart.
 #include "scanner.hpp"
 
-#include "error.hpp"
+#include "text.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -1,9 +1,8 @@
 // The page of the talks: every claimed row has its text, its section and its test.
 #include "context.hpp"
 #include "course.hpp"
-#include "error.hpp"
-#include "fill.hpp"
 #include "directives.hpp"
+#include "text.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
