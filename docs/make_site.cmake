@@ -1,6 +1,6 @@
 # Makes the site: Doxygen on the filled pages, then what Doxygen cannot do. Called as
 #   cmake -DDOXYGEN=… -DDOXYFILE=… -DSITE=… -DHEADS="a.html;b.html" -DKATEX=folder
-#         -DFIGURES=folder -DLINK_SOURCES=program -DLIBRARY_PAGES=program -DLIBRARY=docs/library -DLUNR=folder -DSEARCH_INDEX=program [-DUNLINKED=tests/] -P make_site.cmake
+#         -DFIGURES=folder -DFINISH_SITE=program -DLIBRARY=docs/library -DLUNR=folder [-DUNLINKED=tests/] -P make_site.cmake
 # All of it happens in SITE/unfinished, which becomes SITE/html when nothing went wrong. There the file
 # `made` tells that the site is whole.
 
@@ -51,17 +51,15 @@ if(KATEX)
   file(GLOB fonts "${fonts}/*.woff2")
   file(COPY ${fonts} DESTINATION "${html}/katex/fonts")
 endif()
-run("${LINK_SOURCES}" "${html}" "${SITE}/names.tag" ${UNLINKED})
-run("${LIBRARY_PAGES}" "${html}" "${SITE}/names.tag" "${LIBRARY}")
 if(LUNR)
   configure_file("${LUNR}/lunr.min.js" "${html}/lunr.min.js" COPYONLY)
-  run("${SEARCH_INDEX}" "${html}" "${SITE}/names.tag")
   # What Doxygen's own search would read.
   file(GLOB unread "${html}/search/*_*.js" "${html}/search/*_*.html")
   if(unread)
     file(REMOVE ${unread})
   endif()
 endif()
+run("${FINISH_SITE}" "${html}" "${SITE}/names.tag" "${LIBRARY}" ${UNLINKED})
 
 # What a reader takes home, as plain files: each with what it includes, in the folders by which that is included.
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH root)

@@ -108,7 +108,7 @@ function(timestep_doxyfile name site pages figures tests strict make)
   string(REPLACE ";" "\\;" all_heads "${heads}")
   set(${make} "-DDOXYGEN=${DOXYGEN}" "-DDOXYFILE=${doxyfile}" "-DSITE=${site}"
     "-DFIGURES=${figures}" "-DHEADS=${all_heads}" "-DKATEX=${KATEX}"
-    "-DLINK_SOURCES=$<TARGET_FILE:link_sources>" "-DLIBRARY_PAGES=$<TARGET_FILE:library_pages>" "-DLIBRARY=${library}" "-DLUNR=${LUNR}" "-DSEARCH_INDEX=$<TARGET_FILE:search_index>" "-DUNLINKED=${unlinked}" PARENT_SCOPE)
+    "-DFINISH_SITE=$<TARGET_FILE:finish_site>" "-DLIBRARY=${library}" "-DLUNR=${LUNR}" "-DUNLINKED=${unlinked}" PARENT_SCOPE)
 endfunction()
 
 # Which chapters, second pages and exercises there are: pages name them all, and a new one changes this file.
@@ -184,7 +184,7 @@ function(timestep_grows chapter)
     COMMAND "${CMAKE_COMMAND}" "-DWHOLE=${site}" "-DROOT=${PROJECT_SOURCE_DIR}" "-DRUNS=${PROJECT_BINARY_DIR}/chapters"
             "-DPAGE=$<TARGET_FILE:page>" "-DSHOWN=${shown}" ${make_draft}
             -P "${PROJECT_SOURCE_DIR}/docs/grow_site.cmake"
-    DEPENDS "${PROJECT_BINARY_DIR}/chapters/${chapter}/run/done" ${live} page source_filter link_sources library_pages
+    DEPENDS "${PROJECT_BINARY_DIR}/chapters/${chapter}/run/done" ${live} page source_filter finish_site
     JOB_POOL growing_site COMMENT "Chapter ${number} can be read" VERBATIM)
   add_custom_target(grow_${chapter} DEPENDS "${shown}")
   string(REGEX REPLACE "^[0-9]+_" "run_" run "${chapter}")

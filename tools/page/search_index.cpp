@@ -1,23 +1,18 @@
-// search_index: what the search of the site looks through.
-//
-//     search_index SITE TAGS
-//
-// Cuts every page of words into its sections, takes the glossary's words with the place to which each leads, and
-// the library's names from the file TAGS that Doxygen leaves. Writes SITE/search_places.js: one entry a place, with its
-// address `u`, its title `t`, the title of its page `p` and its words `x`.
+// What the search of the site looks through: every page of words in its sections, the glossary's words with the place
+// to which each leads, and the library's names. One entry a place, with its address `u`, its title `t`, the title of
+// its page `p` and its words `x`.
 
+#include "finish_site.hpp"
 #include "text.hpp"
 
-#include <filesystem>
-#include <fstream>
-#include <iostream>
+#include <cctype>
 #include <map>
 #include <set>
 
+namespace page {
 namespace {
 
 namespace fs = std::filesystem;
-using page::between;
 
 /// The text as a string of JavaScript.
 std::string quoted(const std::string& text) {
@@ -60,12 +55,12 @@ std::string words_of(std::string html) {
     std::string text = html;
     for (const auto& [name, sign] :
          {std::pair{"&#39;", "'"}, {"&quot;", "\""}, {"&lt;", "<"}, {"&gt;", ">"}, {"&#160;", " "}, {"&amp;", "&"}})
-        text = page::replace_all(text, name, sign);
+        text = replace_all(text, name, sign);
     std::string line;
-    for (const std::string& word : page::split_words(text)) line += (line.empty() ? "" : " ") + word;
+    for (const std::string& word : split_words(text)) line += (line.empty() ? "" : " ") + word;
     for (const auto& [apart, close] :
          {std::pair{"( ", "("}, {" )", ")"}, {" .", "."}, {" ,", ","}, {" :", ":"}, {" ;", ";"}})
-        line = page::replace_all(line, apart, close);
+        line = replace_all(line, apart, close);
     return line;
 }
 
@@ -82,7 +77,7 @@ bool has_words(const std::string& name) {
 
 /// A page of words, section by section.
 void add_sections(const fs::path& file, Places& places) {
-    const std::string html = page::read_file(file), name = file.filename().string();
+    const std::string html = read_file(file), name = file.filename().string();
     const std::string title = words_of(between(html, "<div class=\"title\">", "</div>"));
     const std::size_t begin = html.find("<div class=\"textblock\">");
     if (begin == std::string::npos) return;
@@ -113,7 +108,7 @@ void add_glossary(const fs::path& file, Places& places) {
         std::string word, address, text;
     };
     std::map<std::string, Entry> entries;
-    const std::string html = page::read_file(file);
+    const std::string html = read_file(file);
     static const std::string open = "<li><b>";
     for (std::size_t at = html.find(open); at != std::string::npos; at = html.find(open, at + 1)) {
         const std::string entry = between(html, open, "</li>", at);
@@ -145,55 +140,33 @@ std::string apart(const std::string& name) {
     return words;
 }
 
-/// The library's names, from Doxygen's file of tags.
-void add_names(const fs::path& tags, Places& places) {
-    std::ifstream stream(tags);
+/// The library's names: classes, and the functions of its namespaces.
+void add_names(const std::vector<Name>& names, Places& places) {
     std::set<std::string> seen;
-    std::string compound, kind, name, page_file;
-    for (std::string line; std::getline(stream, line);) {
-        if (const std::string opened = between(line, "<compound kind=\"", "\""); !opened.empty())
-            compound = kind = opened;
-        if (const std::string opened = between(line, "<member kind=\"", "\""); !opened.empty()) kind = opened;
-        if (const std::string found = between(line, "<name>", "</name>"); !found.empty()) name = words_of(found);
-        std::string address;
-        if (line.find("<filename>") != std::string::npos) {
-            page_file = between(line, "<filename>", "</filename>");
-            if (compound == "struct" || compound == "class") address = page_file;
-        }
-        if (line.find("<anchorfile>") != std::string::npos) page_file = between(line, "<anchorfile>", "</anchorfile>");
-        if (line.find("<anchor>") != std::string::npos && kind == "function" && compound == "namespace")
-            address = page_file + "#" + between(line, "<anchor>", "</anchor>");
-        if (address.empty() || name.find("detail") != std::string::npos ||
-            !address.ends_with("html") == (address.find('#') == std::string::npos))
-            continue;
+    for (const Name& each : names) {
+        const bool is_class = each.kind == each.compound && (each.kind == "struct" || each.kind == "class");
+        const bool is_function = each.kind == "function" && each.compound == "namespace";
+        const std::string name = words_of(each.name), file = each.address.substr(0, each.address.find('#'));
+        if ((!is_class && !is_function) || name.find("detail") != std::string::npos) continue;
         const std::string bare = name.substr(name.rfind(':') == std::string::npos ? 0 : name.rfind(':') + 1);
-        if (bare.starts_with("operator") || !seen.insert(page_file + bare).second) continue;
-        places.add(address, bare, "The library", apart(bare));
+        if (bare.starts_with("operator") || !seen.insert(file + bare).second) continue;
+        places.add(each.address, bare, "The library", apart(bare));
     }
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-    if (argc != 3) {
-        std::cerr << "usage: search_index SITE TAGS\n";
-        return 2;
+std::string search_places(const fs::path& site, const std::vector<Name>& names) {
+    Places places;
+    std::set<fs::path> files;
+    for (const auto& entry : fs::directory_iterator{site}) files.insert(entry.path());
+    for (const fs::path& file : files) {
+        const std::string name = file.filename().string();
+        if (has_words(name)) add_sections(file, places);
+        if (name == "glossary.html") add_glossary(file, places);
     }
-    try {
-        const fs::path site = argv[1];
-        Places places;
-        std::set<fs::path> files;
-        for (const auto& entry : fs::directory_iterator{site}) files.insert(entry.path());
-        for (const fs::path& file : files) {
-            const std::string name = file.filename().string();
-            if (has_words(name)) add_sections(file, places);
-            if (name == "glossary.html") add_glossary(file, places);
-        }
-        add_names(argv[2], places);
-        if (places.entries().empty()) throw page::Error{site.string(), 1, "has no pages to search"};
-        page::write_file(site / "search_places.js", "const searchPlaces = [" + places.entries() + "];\n");
-    } catch (const std::exception& error) {
-        std::cerr << "search_index: " << error.what() << '\n';
-        return 1;
-    }
+    add_names(names, places);
+    return "const searchPlaces = [" + places.entries() + "];\n";
 }
+
+}  // namespace page

@@ -1,4 +1,4 @@
-// The three programs as commands: what they leave behind, and what they do not.
+// The programs as commands: what they leave behind, and what they do not.
 #include "course.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -77,85 +77,97 @@ TEST_CASE("source_filter takes the markers from headers, line for line, and hide
           "/** \\} */ }  // namespace timestep\n");
 }
 
-TEST_CASE("link_sources leads to the source pages, and fails where there is none") {
-    const Course course;
-    course.write("html/step_8hpp_source.html", "<title>Timestep: include/step.hpp Source File</title>");
-    course.write("html/a.html", "<a href=\"source:include/step.hpp#l00003\">x</a><a href=\"b.html\">");
-    course.write("tags", "");
-    const std::string program =
-        std::string{LINK_SOURCES} + " " + (course / "html").string() + " " + (course / "tags").string();
-    REQUIRE(run_command(program).status == 0);
-    CHECK(course.read("html/a.html") == "<a href=\"step_8hpp_source.html#l00003\">x</a><a href=\"b.html\">");
-    course.write("html/a.html", "<a href=\"source:tests/none.cpp\">x</a>");
-    const Outcome outcome = run_command(program);
-    CHECK(outcome.status == 2);
-    CHECK(outcome.words == "a.html:1: links to tests/none.cpp, which the site does not show\n");
-    REQUIRE(run_command(program + " tests/").status == 0);
-    CHECK(course.read("html/a.html") == "<a >x</a>");
+namespace {
+
+/// A site as Doxygen leaves it, and what finish_site makes of its page p.html.
+class Site {
+public:
+    Site() {
+        course.write("tags", "");
+        course.write("library/units.tsv", "");
+        course.write("library/groups.tsv", "");
+    }
+    Outcome finish(const std::string& more = "") const {
+        return run_command(std::string{FINISH_SITE} + " " + (course / "site").string() + " " +
+                           (course / "tags").string() + " " + (course / "library").string() + more);
+    }
+    std::string page(const std::string& html, const std::string& more = "") const {
+        course.write("site/p.html", html);
+        REQUIRE(finish(more).words.empty());
+        return course.read("site/p.html");
+    }
+    Course course;
+};
+
+}  // namespace
+
+TEST_CASE("finish_site leads to the source pages, and fails where there is none") {
+    const Site site;
+    site.course.write("site/step_8hpp_source.html", "<title>Timestep: include/step.hpp Source File</title>");
+    CHECK(site.page("<a href=\"source:include/step.hpp#l00003\">x</a><a href=\"b.html\">") ==
+          "<a href=\"step_8hpp_source.html#l00003\">x</a><a href=\"b.html\">");
+    CHECK(site.page("<a href=\"source:tests/none.cpp\">x</a>", " tests/") == "<a >x</a>");
+    site.course.write("site/p.html", "<a href=\"source:tests/none.cpp\">x</a>");
+    CHECK(site.finish().words == "p.html:1: links to tests/none.cpp, which the site does not show\n");
+    CHECK(site.finish().status == 2);
 }
 
-TEST_CASE("library_pages puts a unit beside every parameter, and refuses one without") {
-    const Course course;
-    const auto make = [&](const std::string& units, const std::string& groups) {
-        course.write(
+TEST_CASE("finish_site puts a unit beside every parameter, and refuses one without") {
+    const Site site;
+    const std::string groups = "timestep/run.hpp\tlibrary_2\n";
+    site.course.write("tags",
+                      "<compound kind=\"file\">\n<name>run.hpp</name>\n<path>include/timestep/</path>\n</compound>\n");
+    const auto make = [&](const std::string& units, const std::string& of_groups) {
+        site.course.write(
             "site/p.html",
             "<td class=\"memname\">double timestep::A&lt; X &gt;::step </td><td class=\"paramname\"><em>h</em>, </td>"
             "<td class=\"paramname\"><em>x</em></td><td class=\"paramname\"></td><em>y</em>");
-        course.write("tags", "<name>run.hpp</name>\n<path>include/timestep/</path>\n");
-        course.write("library/units.tsv", units);
-        course.write("library/groups.tsv", groups);
-        return run_command(std::string{LIBRARY_PAGES} + " " + (course / "site").string() + " " +
-                           (course / "tags").string() + " " + (course / "library").string());
+        site.course.write("library/units.tsv", units);
+        site.course.write("library/groups.tsv", of_groups);
+        return site.finish().words;
     };
-    const std::string groups = "timestep/run.hpp\tlibrary_2\n";
-    REQUIRE(make("h\ts\t\nx\tm\t\nx\trad\tA<\n", groups).words.find("no function has a parameter x there") !=
-            std::string::npos);
-    REQUIRE(make("h\ts\t\nx\trad\tA<\n", groups).status == 0);
-    CHECK_THAT(course.read("site/p.html"), ContainsSubstring("<em>h</em><span class=\"unit\">s</span>, ") &&
-                                               ContainsSubstring("<em>x</em><span class=\"unit\">rad</span></td>") &&
-                                               EndsWith("<em>y</em>"));
-    CHECK(make("h\ts\t\n", groups).words ==
+    CHECK(make("h\ts\t\nx\trad\tA<\n", groups).empty());
+    CHECK_THAT(site.course.read("site/p.html"),
+               ContainsSubstring("<em>h</em><span class=\"unit\">s</span>, ") &&
+                   ContainsSubstring("<em>x</em><span class=\"unit\">rad</span></td>") && EndsWith("<em>y</em>"));
+    CHECK_THAT(make("h\ts\t\nx\tm\t\nx\trad\tA<\n", groups), ContainsSubstring("no function has a parameter x there"));
+    CHECK(make("h\ts\t\n", groups) ==
           "docs/library/units.tsv:1: has no unit for the parameter x of double timestep::A< X >::step\n");
-    CHECK_THAT(make("h\ts\t\nx\t\t\n", "").words, EndsWith("groups.tsv:1: has no group for timestep/run.hpp\n"));
-    CHECK_THAT(make("h\ts\t\nx\t\t\n", groups + groups).words,
+    CHECK_THAT(make("h\ts\t\nx\t\t\n", ""), EndsWith("groups.tsv:1: has no group for timestep/run.hpp\n"));
+    CHECK_THAT(make("h\ts\t\nx\t\t\n", groups + groups),
                ContainsSubstring("groups.tsv:2: there is no second header timestep/run.hpp"));
 }
 
-TEST_CASE("link_sources colours the words of C++20, and no parts of others") {
-    const Course course;
-    course.write("tags", "");
-    const auto made_of = [&](const std::string& line) {
-        course.write("site/p.html",
-                     "<div class=\"fragment\"><div class=\"line\">" + line + "</div>\n</div><!-- fragment -->");
-        REQUIRE(
-            run_command(std::string{LINK_SOURCES} + " " + (course / "site").string() + " " + (course / "tags").string())
-                .status == 0);
-        const std::string page = course.read("site/p.html"), open = "<div class=\"line\">";
-        const std::size_t begin = page.find(open) + open.size();
-        return page.substr(begin, page.find("</div>", begin) - begin);
-    };
+TEST_CASE("finish_site colours the words of C++20, and no parts of others") {
+    const Site site;
     const auto span = [](const std::string& kind, const std::string& word) {
         return "<span class=\"" + kind + "\">" + word + "</span>";
     };
     const std::string type = span("keywordtype", "double"), comment = span("comment", "// a double"),
                       text = span("stringliteral", "&quot;for&quot;");
-    CHECK(made_of("std::" + span("keywordtype", "float") + "ing_po" + span("keywordtype", "int") + " x") ==
-          "std::floating_point x");
-    CHECK(made_of(span("keyword", "auto") + " a&lt;double&gt; = " + text) ==
-          span("keyword", "auto") + " a&lt;" + type + "&gt; = " + text);
-    CHECK(made_of("if (requires_x) " + comment) == span("keywordflow", "if") + " (requires_x) " + comment);
-    CHECK(made_of("<a class=\"code\" href=\"x.html\">new</a>" + comment) ==
-          "<a class=\"code\" href=\"x.html\">new</a>" + comment);
-    CHECK(made_of("./course new for if") == "./course new for if");  // no C++ at all
+    const std::string cases[][2] = {
+        {"std::" + span("keywordtype", "float") + "ing_po" + span("keywordtype", "int") + " x",
+         "std::floating_point x"},
+        {span("keyword", "auto") + " a&lt;double&gt; = " + text,
+         span("keyword", "auto") + " a&lt;" + type + "&gt; = " + text},
+        {"if (requires_x) " + comment, span("keywordflow", "if") + " (requires_x) " + comment},
+        {"<a class=\"code\" href=\"x.html\">new</a>" + comment, "<a class=\"code\" href=\"x.html\">new</a>" + comment},
+        {"./course new for if", "./course new for if"}};  // no C++ at all
+    for (const auto& [line, coloured] : cases) {
+        const auto listing = [](const std::string& code) {
+            return "<div class=\"fragment\">" + code + "\n</div><!-- fragment -->";
+        };
+        CHECK(site.page(listing(line)) == listing(coloured));
+    }
 }
 
-TEST_CASE("link_sources leaves of what Doxygen guessed in listings what means one thing") {
-    const Course course;
-    course.write("tags",
-                 "<compound kind=\"file\">\n<name>x</name>\n<member kind=\"function\">\n<name>twice</name>\n"
-                 "<compound kind=\"namespace\">\n<name>t</name>\n<member kind=\"function\">\n<name>solve</name>\n"
-                 "<member kind=\"function\">\n<name>twice</name>\n<compound kind=\"struct\">\n<name>t::S</name>\n"
-                 "<member kind=\"function\">\n<name>twice</name>\n");
+TEST_CASE("finish_site leaves of what Doxygen guessed in listings what means one thing") {
+    const Site site;
+    site.course.write("tags",
+                      "<compound kind=\"file\">\n<name>x</name>\n<member kind=\"function\">\n<name>twice</name>\n"
+                      "<compound kind=\"namespace\">\n<name>t</name>\n<member kind=\"function\">\n<name>solve</name>\n"
+                      "<member kind=\"function\">\n<name>twice</name>\n<compound kind=\"struct\">\n<name>t::S</name>\n"
+                      "<member kind=\"function\">\n<name>twice</name>\n");
     const auto link = [](const std::string& name, const std::string& kind = "function") {
         return "<a class=\"code hl_" + kind + "\" href=\"l.html#" + name + "\">" + name + "</a>";
     };
@@ -163,13 +175,7 @@ TEST_CASE("link_sources leaves of what Doxygen guessed in listings what means on
         return "<figure class=\"listing\"><a href=\"#\">" + file + "</a><div class=\"fragment\">" + code + "\n" + tips +
                "</div><!-- fragment --></figure>";
     };
-    const auto made_of = [&](const std::string& html) {
-        course.write("site/p.html", html);
-        REQUIRE(
-            run_command(std::string{LINK_SOURCES} + " " + (course / "site").string() + " " + (course / "tags").string())
-                .status == 0);
-        return course.read("site/p.html");
-    };
+    const auto made_of = [&](const std::string& html) { return site.page(html); };
     const auto stays = [&](const std::string& html) { return made_of(html) == html; };
     const std::string tip = "<div class=\"ttc\"><div class=\"ttname\"><a href=\"l.html#solve\">t</a></div></div>\n",
                       type = "<span class=\"keywordtype\">double</span> ";
