@@ -73,7 +73,7 @@ def find_faults(site):
     chapters = sum(re.fullmatch(r"chapter_\d\d\.html", page) is not None for page in pages)
     largest = A_CHAPTER * max(CHAPTERS, chapters)
     if size > largest:
-        faults.append(f"the site has {size / 1e6:.1f} MB, more than {largest / 1e6:.0f} MB")
+        faults.append(f"the site has {size / 1e6:.1f} MB, more than {largest / 1e6:.1f} MB")
     if "index.html" not in pages:
         faults.append("there is no index.html")
 
