@@ -274,6 +274,18 @@ class Browser:
         return [f"the phone's menu does not lead to {page}" for page in found]
 
 
+def skip_without_browser():
+    if missing():
+        print("skipped: " + missing())
+        sys.exit(SKIPPED)
+
+
+def report(faults, tried, what):
+    """Prints the faults, and ends the program: 0 when there is none and something was tried, else 1."""
+    print("\n".join([*faults, f"{tried} {what}, {len(faults)} faults"]))
+    sys.exit(1 if faults or not tried else 0)
+
+
 def kind_of(page):
     template = next((kind for kind, names in KINDS.items() if re.fullmatch(names, page)), None)
     return template or re.sub(r"_*\d+", "", page)
@@ -294,35 +306,26 @@ def sample(site, whole):
 def main():
     if len(sys.argv) != 2 and sys.argv[2:] != ["--all"]:
         sys.exit("usage: browser.py SITE [--all]")
-    if missing():
-        print("skipped: " + missing())
-        sys.exit(SKIPPED)
+    skip_without_browser()
     site = sys.argv[1]
     for part, package in (("katex", "libjs-katex"), ("doxygen-awesome.css", "doxygen-awesome-css")):
         if not os.path.exists(os.path.join(site, part)):
             print(f"skipped: the site was made without {part} (package {package})")
             sys.exit(SKIPPED)
     pages, whole = sample(site, len(sys.argv) == 3)
-    count = 0
+    chapters = [page for page in os.listdir(site) if re.fullmatch(r"chapter_\d\d[.]html", page)]
+    found = []
     with Browser() as browser:
+        def look(page, at, *more):
+            found.extend(f"{page}: {fault}" for fault in at(os.path.join(site, page), *more))
         for page in pages:
-            for fault in browser.faults(os.path.join(site, page)):
-                print(f"{page}: {fault}")
-                count += 1
+            look(page, browser.faults)
         for page in pages:
             if page.startswith(("chapter_", "more_")):
-                for fault in browser.at_a_desk(os.path.join(site, page)):
-                    print(f"{page}: {fault}")
-                    count += 1
-        chapters = [page for page in os.listdir(site) if re.fullmatch(r"chapter_\d\d[.]html", page)]
-        for fault in browser.menu_leads(os.path.join(site, "index.html"), chapters):
-            print(f"index.html: {fault}")
-            count += 1
-        for fault in browser.folds_open(os.path.join(site, FOLDS)):
-            print(f"{FOLDS}: {fault}")
-            count += 1
-    print(f"{len(pages)} of {whole} pages, {count} faults")
-    sys.exit(1 if count or not pages else 0)
+                look(page, browser.at_a_desk)
+        look("index.html", browser.menu_leads, chapters)
+        look(FOLDS, browser.folds_open)
+    report(found, len(pages), f"of {whole} pages")
 
 
 if __name__ == "__main__":

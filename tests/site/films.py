@@ -85,18 +85,13 @@ def films(on, site, faults):
 def main():
     if len(sys.argv) != 2:
         sys.exit("usage: films.py SITE")
-    if browser.missing():
-        print("skipped: " + browser.missing())
-        sys.exit(browser.SKIPPED)
+    browser.skip_without_browser()
     faults = Faults()
     with browser.Browser() as on:
         on.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
             "width": 900, "height": 900, "deviceScaleFactor": 1, "mobile": False})
         count = films(on, sys.argv[1], faults)
-    for fault in faults:
-        print(fault)
-    print(f"{count} films, {len(faults)} faults")
-    sys.exit(1 if faults or not count else 0)
+    browser.report(faults, count, "films")
 
 
 if __name__ == "__main__":

@@ -252,9 +252,7 @@ LOOKS = (fits_the_screen, can_be_read, costs_little, by_keyboard, by_finger, lea
 def main():
     if len(sys.argv) not in (3, 4):
         sys.exit("usage: live.py SITE BUILD [PANEL]")
-    if browser.missing():
-        print("skipped: " + browser.missing())
-        sys.exit(browser.SKIPPED)
+    browser.skip_without_browser()
     site, build = sys.argv[1:3]
     panels = [(file, *found) for file in sorted(pathlib.Path(site).glob("*.html"))
               for found in PANEL.findall(file.read_text(encoding="utf-8", errors="replace"))
@@ -263,11 +261,9 @@ def main():
         print("skipped: the site has no panel that moves (no compiler for WebAssembly)")
         sys.exit(browser.SKIPPED)
     root = pathlib.Path(__file__).resolve().parents[2]
-    count = 0
+    found = Faults()
     script = (pathlib.Path(site) / "live.js").stat().st_size
-    if script > SCRIPT:
-        print(f"live.js: has {script} bytes, must have at most {SCRIPT}")
-        count += 1
+    found.unless(script <= SCRIPT, f"live.js: has {script} bytes, must have at most {SCRIPT}")
     with browser.Browser() as on:
         on.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", DESK)
         on.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True})
@@ -287,18 +283,11 @@ def main():
             for look in LOOKS:
                 look(page, faults)
             faults += ["console: " + entry["message"] for entry in on.driver.get_log("browser") if entry["level"] == "SEVERE"]
-            for fault in faults:
-                print(f"{live}: {fault}")
-            count += len(faults)
-        faults = Faults()
+            found += [f"{live}: {fault}" for fault in faults]
         for pages in by_page.values():
             if len(pages) > 1:
-                two_at_once(pages[:2], faults)
-        for fault in faults:
-            print(fault)
-        count += len(faults)
-    print(f"{len(seen)} panels, {count} faults")
-    sys.exit(1 if count else 0)
+                two_at_once(pages[:2], found)
+    browser.report(found, len(seen), "panels")
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ import pathlib
 import sys
 import time
 
-from browser import Browser, SKIPPED, missing
+from browser import Browser, SKIPPED, report, skip_without_browser
 
 WAIT = 120  # seconds, for the machine may be busy
 
@@ -80,16 +80,13 @@ def faults(driver, site):
 def main():
     if len(sys.argv) != 2:
         sys.exit("usage: search.py SITE")
-    if missing():
-        print("skipped: " + missing())
-        sys.exit(SKIPPED)
+    skip_without_browser()
     if not os.path.exists(os.path.join(sys.argv[1], "lunr.min.js")):
         print("skipped: the site was made without lunr (package libjs-lunr)")
         sys.exit(SKIPPED)
     with Browser() as browser:
         found = list(faults(browser.driver, sys.argv[1]))
-    print("\n".join(found + [f"{len(queries())} queries, {len(found)} faults"]))
-    sys.exit(1 if found else 0)
+    report(found, len(queries()), "queries")
 
 
 if __name__ == "__main__":

@@ -125,12 +125,7 @@ std::string Course::fill() const {
 }
 
 std::string Course::fill_error() const {
-    try {
-        fill();
-        return "no error";
-    } catch (const page::Error& wrong) {
-        return wrong.what();
-    }
+    return message_of([&] { fill(); });
 }
 
 std::string Course::fill_paragraph(const std::string& paragraph) const {
@@ -139,12 +134,7 @@ std::string Course::fill_paragraph(const std::string& paragraph) const {
 }
 
 std::string Course::paragraph_error(const std::string& paragraph) const {
-    try {
-        fill_paragraph(paragraph);
-        return "no error";
-    } catch (const page::Error& wrong) {
-        return wrong.what();
-    }
+    return message_of([&] { fill_paragraph(paragraph); });
 }
 
 void Course::shows(std::initializer_list<Case> cases) const {

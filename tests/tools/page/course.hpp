@@ -5,6 +5,8 @@
 #include <initializer_list>
 #include <string>
 
+#include "text.hpp"
+
 /// A paragraph of a page's source, and what is expected of it.
 struct Case {
     std::string paragraph, expected;
@@ -42,6 +44,17 @@ public:
 private:
     std::filesystem::path folder_;
 };
+
+/// The message of the page::Error that an action ends in, or "no error".
+template <class Action>
+std::string message_of(Action action) {
+    try {
+        action();
+        return "no error";
+    } catch (const page::Error& wrong) {
+        return wrong.what();
+    }
+}
 
 /// A command's exit status and all that it printed.
 struct Outcome {

@@ -5,8 +5,6 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <regex>
 
 #include "which_method.hpp"
@@ -19,10 +17,7 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-std::string page_of(const std::string& file) {
-    std::ifstream in{std::string{SOURCE} + "/" + file};
-    return {std::istreambuf_iterator<char>{in}, {}};
-}
+std::string page_of(const std::string& file) { return page::read_file(std::string{SOURCE} + "/" + file); }
 
 // The names between {{which and }}, in their order.
 std::vector<std::string> answers_in(const std::string& page) {

@@ -35,12 +35,7 @@ std::string fill_more(const Course& course, std::vector<page::IndexEntry>* index
 }
 
 std::string more_error(const Course& course) {
-    try {
-        fill_more(course);
-        return "no error";
-    } catch (const page::Error& wrong) {
-        return wrong.what();
-    }
+    return message_of([&] { fill_more(course); });
 }
 
 std::string error_of(const Course& course, const std::string& text) {

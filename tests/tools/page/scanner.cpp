@@ -1,6 +1,8 @@
 // How a source is taken apart.
 #include "scanner.hpp"
 
+#include "course.hpp"
+
 #include "text.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -58,17 +60,10 @@ TEST_CASE("a heading's level, title and id") {
 }
 
 TEST_CASE("what is opened and never closed is an error at its line") {
-    const auto message = [](const std::string& source) -> std::string {
-        try {
-            scan(source, "page.md");
-            return "no error";
-        } catch (const page::Error& wrong) {
-            return wrong.what();
-        }
-    };
-    CHECK(message("\n$x\n\nb$") == "page.md:2: this formula has no closing $ (write \\$ for a dollar)");
-    CHECK(message("a\n$$x") == "page.md:2: this formula has no closing $$ (write \\$ for a dollar)");
-    CHECK(message("{{x\n\n}}") == "page.md:1: this {{ has no closing }}");
-    CHECK(message("a `b\n\nc`") == "page.md:1: this inline code has no closing backtick");
-    CHECK(message("\n\n```\ncode\n``") == "page.md:3: this code fence has no end");
+    const char* const cases[][2] = {{"\n$x\n\nb$", "page.md:2: this formula has no closing $ (write \\$ for a dollar)"},
+                                    {"a\n$$x", "page.md:2: this formula has no closing $$ (write \\$ for a dollar)"},
+                                    {"{{x\n\n}}", "page.md:1: this {{ has no closing }}"},
+                                    {"a `b\n\nc`", "page.md:1: this inline code has no closing backtick"},
+                                    {"\n\n```\ncode\n``", "page.md:3: this code fence has no end"}};
+    for (const auto& [source, message] : cases) CHECK(message_of([&] { scan(source, "page.md"); }) == message);
 }

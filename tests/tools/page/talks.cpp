@@ -82,14 +82,9 @@ TEST_CASE("a claimed row without its text, section or evidence is an error, and 
 
 TEST_CASE("faulty texts of the talks are refused, at their line") {
     const Course course;
-    const auto message = [&](const std::string& content) -> std::string {
+    const auto message = [&](const std::string& content) {
         course.write("talks.tsv", content);
-        try {
-            page::load_talks(course / "talks.tsv");
-            return "no error";
-        } catch (const page::Error& wrong) {
-            return wrong.what();
-        }
+        return message_of([&] { page::load_talks(course / "talks.tsv"); });
     };
     CHECK_THAT(message("N01\tN\ta\t\t\nN01\tN\tb\t\t\n"), ContainsSubstring(":2: N01 stands here twice"));
     CHECK_THAT(message("N01\tN\t\t\t\n"), ContainsSubstring(":1: N01 has no text"));
