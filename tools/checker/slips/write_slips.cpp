@@ -10,11 +10,10 @@
 #include <cctype>
 #include <cstdio>
 #include <fstream>
-#include <iostream>
+#include <initializer_list>
 #include <iterator>
 #include <map>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -26,12 +25,18 @@ struct Token {
     std::string before, after;
 };
 
-bool is_name(const std::string& text) {
-    return !text.empty() && (std::isalpha(static_cast<unsigned char>(text[0])) || text[0] == '_');
-}
 using Words = std::set<std::string>;
 
-bool is_number(const std::string& text) { return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])); }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
+bool is_name(const std::string& text) { return !text.empty() && is_letter(text[0]); }
+bool is_number(const std::string& text) { return !text.empty() && is_digit(text[0]); }
+bool opens(const std::string& text) { return text == "(" || text == "[" || text == "{"; }
+bool closes(const std::string& text) { return text == ")" || text == "]" || text == "}"; }
+bool assigns(const std::string& text) {
+    static const Words words{"=", "+=", "-=", "*=", "/=", "|=", "++", "--"};
+    return words.count(text) > 0;
+}
 
 std::vector<Token> tokens_of(const std::string& code) {
     static const Words pairs{"::", "->", "<=", ">=", "==", "!=", "&&", "||",
@@ -49,15 +54,12 @@ std::vector<Token> tokens_of(const std::string& code) {
             continue;
         }
         std::size_t end = i + 1;
-        const auto in_word = [&](std::size_t j) {
-            return std::isalnum(static_cast<unsigned char>(at(j))) || at(j) == '_';
-        };
+        const auto in_word = [&](std::size_t j) { return is_letter(at(j)) || is_digit(at(j)); };
         if (in_word(i)) {
-            const bool number = std::isdigit(static_cast<unsigned char>(code[i]));
-            while (in_word(end) ||
-                   (number && (at(end) == '.' || at(end) == '\'' ||
-                               ((at(end) == '-' || at(end) == '+') && (at(end - 1) == 'e' || at(end - 1) == 'E')))))
-                ++end;
+            const auto in_number = [&](std::size_t j) {
+                return at(j) == '.' || at(j) == '\'' || ((at(j) == '-' || at(j) == '+') && at(j - 1) == 'e');
+            };
+            while (in_word(end) || (is_digit(code[i]) && in_number(end))) ++end;
         } else if (pairs.count(code.substr(i, 2))) {
             end = i + 2;
         }
@@ -121,6 +123,16 @@ private:
         if ((last == "--" || last == "++") && i > 1) return is_name(text(i - 2));
         return last != "return" && (is_name(last) || is_number(last) || last == ")" || last == "]");
     }
+    // Do these tokens stand there?
+    bool stands(std::size_t i, std::initializer_list<const char*> tokens) const {
+        for (const char* each : tokens)
+            if (i >= t_.size() || text(i++) != each) return false;
+        return true;
+    }
+    void replace(std::size_t i, std::size_t count, const std::string& by) {
+        for (std::size_t j = i; j < i + count; ++j) t_[j].text.clear();
+        t_[i].text = by;
+    }
     bool between_blanks(std::size_t i) const { return t_[i].blank && t_[i + 1].blank; }
     std::string next() { return std::to_string(site_++); }
     void wrap(std::size_t first, std::size_t last, const std::string& before, const std::string& after) {
@@ -138,8 +150,8 @@ private:
             const std::string& it = text(i);
             if (it == "}") --depth;
             depth_[i] = depth;
-            if (it == "(" || it == "[" || it == "{") open.push_back(i);
-            if ((it == ")" || it == "]" || it == "}") && !open.empty()) {
+            if (opens(it)) open.push_back(i);
+            if (closes(it) && !open.empty()) {
                 other_[i] = open.back();
                 other_[open.back()] = i;
                 open.pop_back();
@@ -152,8 +164,8 @@ private:
     std::size_t until(std::size_t i, const Words& ends) const {
         for (; i + 3 < t_.size(); ++i) {
             const std::string& it = text(i);
-            if (ends.count(it) || it == ")" || it == "]" || it == "}") return i;
-            if (it == "(" || it == "[" || it == "{") i = other_[i];
+            if (ends.count(it) || closes(it)) return i;
+            if (opens(it)) i = other_[i];
         }
         return i;
     }
@@ -162,28 +174,28 @@ private:
         static const Words types{"double", "int", "Vector3d", "Matrix3d", "Quaterniond"};
         return types.count(text(i)) && text(i - 1) != "<" && text(i + 1) != ">" && text(i + 1) != ",";
     }
-    bool is_state(std::size_t i) const { return text(i) == "State" && text(i + 1) == "<" && text(i + 2) == "double"; }
+    bool is_state(std::size_t i) const { return stands(i, {"State", "<", "double"}); }
 
     void function(std::size_t open, std::size_t body) {
         begin_ = body, end_ = other_[body];
         find_lambdas();
-        find_variables(open, body);
+        find_variables(open);
         const bool is_answer = text(open - 1) == name_;
         std::string entry;
         if (is_answer) {
             for (std::size_t i = open; i < other_[open]; ++i)  // its own, to exchange
                 if ((text(i) == "const" || text(i) == "&")) t_[i].text.clear();
+            const auto exchange = [&](const std::string& a, const std::string& b) {
+                entry += " slip::exchange(" + next() + ", " + a + ", " + b + ");";
+            };
             for (std::size_t a = 0; a < arguments_; ++a)
                 for (std::size_t b = a + 1; b < arguments_; ++b)
-                    if (variables_[a].type == variables_[b].type)
-                        entry +=
-                            " slip::exchange(" + next() + ", " + variables_[a].name + ", " + variables_[b].name + ");";
-        }
-        for (std::size_t a = 0; is_answer && a < arguments_; ++a) {
-            if (variables_[a].type == "double")
-                entry += " slip::given(" + next() + ", " + variables_[a].name + ");";
-            else if (variables_[a].type == "State")
-                entry += " slip::exchange(" + next() + ", " + variables_[a].name + ".x, " + variables_[a].name + ".v);";
+                    if (variables_[a].type == variables_[b].type) exchange(variables_[a].name, variables_[b].name);
+            for (std::size_t a = 0; a < arguments_; ++a) {
+                const auto& [name, type, from, to, bound] = variables_[a];
+                if (type == "double") entry += " slip::given(" + next() + ", " + name + ");";
+                if (type == "State") exchange(name + ".x", name + ".v");
+            }
         }
         picks();
         operators();  // before anything else is taken for another word
@@ -212,7 +224,7 @@ private:
         }
     }
 
-    void find_variables(std::size_t open, std::size_t) {
+    void find_variables(std::size_t open) {
         variables_.clear();
         for (std::size_t i = open + 1; i < other_[open]; ++i)
             if (text(i + 1) == "," || text(i + 1) == ")") {
@@ -229,7 +241,6 @@ private:
             if (text(name) == "&") ++name;
             const std::size_t scope = scope_of(i);
             if (text(i) == "auto" && text(name) == "[") {
-                if (text(scope) != "{") continue;
                 for (std::size_t j = name + 1; j < other_[name]; ++j)
                     if (is_name(text(j)))
                         variables_.push_back({text(j), "double", until(name, {";"}), other_[scope], true});
@@ -256,15 +267,9 @@ private:
     }
     // The bracket that opens round it.
     std::size_t scope_of(std::size_t i) const {
-        while (i > begin_) {
-            --i;
-            const std::string& it = text(i);
-            if (it == ")" || it == "]" || it == "}")
-                i = other_[i];
-            else if (it == "(" || it == "[" || it == "{")
-                return i;
-        }
-        return begin_;
+        while (i > begin_ && !opens(text(--i)))
+            if (closes(text(i))) i = other_[i];
+        return i;
     }
 
     bool is_visible(const Variable& variable, std::size_t i) const {
@@ -283,11 +288,6 @@ private:
         return found;
     }
 
-    static bool assigns(const std::string& text) {
-        static const Words words{"=", "+=", "-=", "*=", "/=", "|=", "++", "--"};
-        return words.count(text) > 0;
-    }
-
     void picks() {
         for (std::size_t i = begin_; i < end_; ++i) {
             if (!is_name(text(i)) || declared_.count(i)) continue;
@@ -300,13 +300,10 @@ private:
             std::string type = variable->type, tail;
             if (following == ".") {
                 const std::string member = text(i + 2);
-                if (type == "State" && (member == "x" || member == "v" || member == "t")) {
+                if (type == "State") {
                     end = i + 2, type = "double", tail = "." + member;
-                } else if (type == "Vector3d" && (member == "x" || member == "y" || member == "z") &&
-                           text(i + 3) == "(") {
+                } else if (type == "Vector3d" && (member == "x" || member == "y" || member == "z")) {
                     end = i + 4, type = "double", tail = "." + member + "()";
-                } else if (type == "State") {
-                    continue;
                 }
                 const std::size_t behind = until(i, {"=", ";", ",", "+=", "-="});
                 if (assigns(text(end + 1)) || (end == i && text(behind) == "=")) continue;
@@ -320,7 +317,7 @@ private:
             const auto add = [&](const std::string& other) {
                 if (count < 6) others += ", " + other, ++count;
             };
-            if (!tail.empty() && type == "double")
+            if (!tail.empty())
                 for (const char* each : {"x", "y", "z", "v"}) {
                     const bool state = variable->type == "State";
                     const std::string other = std::string(".") + each + (state ? "" : "()");
@@ -330,9 +327,8 @@ private:
             // The nearest first: what is taken for another is most often that.
             for (std::size_t v = variables_.size(); v-- > 0;) {
                 const Variable& each = variables_[v];
-                if (each.name != variable->name && is_visible(each, i)) {
-                    if (each.type == type && variable_named(each.name, i) == &each) add(each.name);
-                }
+                if (each.name != variable->name && each.type == type && variable_named(each.name, i) == &each)
+                    add(each.name);
             }
             if (count > 0) wrap(i, end, "slip::pick(" + next() + ", ", others + ")");
             i = end;
@@ -372,13 +368,11 @@ private:
     void methods() {
         static const Words known{"norm", "squaredNorm", "normalized", "conjugate"};
         for (std::size_t i = begin_; i < end_; ++i) {
-            if (text(i) != "." || !known.count(text(i + 1)) || text(i + 2) != "(" || text(i + 3) != ")" ||
-                text(i + 4) == ".")
+            if (text(i) != "." || !known.count(text(i + 1)) || !stands(i + 2, {"(", ")"}) || text(i + 4) == ".")
                 continue;
             const std::size_t first = begin_of_operand(i);
             if (text(first - 1).rfind("slip::Negative", 0) == 0) continue;  // binds less
-            t_[i].text = "->*slip::" + text(i + 1) + "{" + next() + "}";
-            for (std::size_t j = i + 1; j <= i + 3; ++j) t_[j].text.clear();
+            replace(i, 4, "->*slip::" + text(i + 1) + "{" + next() + "}");
         }
     }
 
@@ -386,9 +380,8 @@ private:
         static const Words known{"sin",  "cos",  "sqrt", "exp",   "log",  "log1p", "expm1", "exp2", "log2",
                                  "cbrt", "fabs", "abs",  "floor", "ceil", "pow",   "max",   "min",  "clamp"};
         for (std::size_t i = begin_; i < end_; ++i) {
-            if (text(i) == "std" && text(i + 2) == "numbers" && text(i + 4) == "pi") {
-                t_[i].text = "slip::pi()";
-                for (std::size_t j = i + 1; j <= i + 4; ++j) t_[j].text.clear();
+            if (stands(i, {"std", "::", "numbers", "::", "pi"})) {
+                replace(i, 5, "slip::pi()");
             } else if (text(i) == "std" && known.count(text(i + 2)) && text(i + 3) == "(") {
                 t_[i].text = "slip";
                 t_[i + 3].after += next() + ", ";
@@ -471,7 +464,7 @@ private:
             if (!multiplies(open - 1) && !multiplies(close + 1)) continue;
             bool is_sum = false;
             for (std::size_t j = open + 1; j < close; ++j) {
-                if (text(j) == "(" || text(j) == "[" || text(j) == "{") j = other_[j];
+                if (opens(text(j))) j = other_[j];
                 is_sum |= is_operator(j, '+') || is_operator(j, '-');
                 if (delimiters.count(text(j)) && text(j) != "]") {
                     is_sum = false;
