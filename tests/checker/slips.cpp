@@ -45,7 +45,6 @@ double last_two(const std::vector<double>& x) {
         sum += slip::in(x)[i];
     return sum;
 }
-double slipping_inverse(double x) { return 1 / slip::Over{10} / x; }
 
 // Its last term twice, or x h half. Nothing that is given is changed by it, which would be a name of its own.
 double with_quotient(double x, double v, double h) { return 7 + v * v / (x * h); }
@@ -56,8 +55,7 @@ double mean(double x, double v, double) { return slip::unbracketed(10) ? x + v /
 bool both(double x, double v) { return slip::joined(10) ? x > 0 || v > 0 : x > 0 && v > 0; }
 
 const Answer answer = answer_of(&slipping);
-const bool known = register_slips("slips_test", {answer}) && register_slips("sums_test", {answer_of(&slipping_sums)}) &&
-                   register_slips("inverse_test", {answer_of(&slipping_inverse)});
+const bool known = register_slips("slips_test", {answer});
 
 std::vector<Numbers> arguments() {
     std::vector<Numbers> all;

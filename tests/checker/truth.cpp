@@ -41,9 +41,13 @@ Eigen::Quaterniond its_minus(const Eigen::Quaterniond& q) { return Eigen::Quater
 
 using Function = double(double, double, double);
 
+// Is that the right answer, where `truth` gives it?
+template <class R, class... Args>
+bool passes(R (*truth)(Args...), const Numbers& arguments, const Numbers& found, const Within& within = {2e-12}) {
+    return is_right(function_of(truth), arguments, found, within, SpokenOf<R(Args...)>::spoken);
+}
 bool right(Function* function, const Numbers& arguments) {
-    return is_right(function_of(&velocity), arguments, answer_of(function)(arguments), {2e-12},
-                    SpokenOf<Function>::spoken);
+    return passes(&velocity, arguments, answer_of(function)(arguments));
 }
 
 // Twenty calls as the hidden tests make them, and the name that they get.
@@ -83,8 +87,7 @@ TEST_CASE("what is wrong by more than roundoff is wrong, however near") {
 
 TEST_CASE("a way that loses digits, and is right all the same, allows as many to be lost, and no more") {
     const auto allowed = [](double x, double found) {
-        return is_right(function_of(&logarithm), {x}, {found}, {2e-12, function_of(&one_too_many)},
-                        SpokenOf<double(double)>::spoken);
+        return passes(&logarithm, {x}, {found}, {2e-12, function_of(&one_too_many)});
     };
     for (double x = 1e-12; x < 1; x *= 1.3) {
         INFO(x);
@@ -96,9 +99,8 @@ TEST_CASE("a way that loses digits, and is right all the same, allows as many to
 
 TEST_CASE("another right way passes if it loses no more digits than the roundings of a known way cost") {
     const std::vector<Answer> ways{answer_of(&root_first_that_rounds)};
-    using Peaks = double(double, double, double);
     const auto is_right_beside = [&](const Numbers& peaks, double found, const std::vector<Answer>* known) {
-        return is_right(function_of(&decrement), peaks, {found}, {2e-12, {}, 0, known}, SpokenOf<Peaks>::spoken);
+        return passes(&decrement, peaks, {found}, {2e-12, {}, 0, known});
     };
     for (double periods = 1; periods < 1e10; periods *= 7) {
         INFO(periods);
@@ -113,7 +115,7 @@ TEST_CASE("another right way passes if it loses no more digits than the rounding
 TEST_CASE("an angle may be moved by a part of a turn") {
     const std::vector<Answer> ways{answer_of(&sine_that_rounds)};
     const auto allowed = [&](double angle, double found) {
-        return is_right(function_of(&sine), {angle}, {found}, {2e-12, {}, 0, &ways}, SpokenOf<double(double)>::spoken);
+        return passes(&sine, {angle}, {found}, {2e-12, {}, 0, &ways});
     };
     for (const double angle : {0.0, 1e-300, 1e-12, 1e-3, 1.0, std::numbers::pi, 100.0}) {
         INFO(angle);
@@ -128,8 +130,7 @@ TEST_CASE("nine digits are enough where the task asks for no more, but where the
     const Within nine{nine_digits, {}, all_digits};
     const auto allowed = [&](const Numbers& arguments, double share) {
         const double right = velocity(arguments[0], arguments[1], arguments[2]);
-        return is_right(function_of(&velocity), arguments, {right * (1 + share)}, nine,
-                        SpokenOf<double(double, double, double)>::spoken);
+        return passes(&velocity, arguments, {right * (1 + share)}, nine);
     };
     CHECK(allowed({0, 1, 3}, 1.2e-9));  // 3.14159265 for pi
     CHECK_FALSE(allowed({0, 1, 3}, 1e-8));
@@ -138,26 +139,17 @@ TEST_CASE("nine digits are enough where the task asks for no more, but where the
 }
 
 TEST_CASE("where roundoff decides on a whole number, either is right, and nowhere else") {
-    const auto one = [](double share, double found) {
-        return is_right(function_of(&whole), {share}, {found}, {2e-12}, SpokenOf<int(double)>::spoken);
-    };
-    CHECK(one(3.0, 3));
-    CHECK(one(3.0, 2));
-    CHECK_FALSE(one(3.0, 5));
-    CHECK_FALSE(one(3.5, 2));
-    CHECK_FALSE(one(3.001, 2));
+    CHECK(passes(&whole, {3.0}, {3}));
+    CHECK(passes(&whole, {3.0}, {2}));
+    CHECK_FALSE(passes(&whole, {3.0}, {5}));
+    CHECK_FALSE(passes(&whole, {3.5}, {2}));
+    CHECK_FALSE(passes(&whole, {3.001}, {2}));
 }
 
 TEST_CASE("a quaternion and its negative are the same rotation") {
     const Numbers q{0.5, -0.5, 0.5, 0.5};
-    using Turn = Eigen::Quaterniond(const Eigen::Quaterniond&);
-    const auto same = [&](Turn* turn) {
-        return is_right(function_of(&itself), q, answer_of(turn)(q), {2e-12}, SpokenOf<Turn>::spoken);
-    };
-    CHECK(same(&its_minus));
-    Numbers other = q;
-    other[0] += 1e-9;
-    CHECK_FALSE(is_right(function_of(&itself), q, other, {2e-12}, SpokenOf<Turn>::spoken));
+    CHECK(passes(&itself, q, answer_of(&its_minus)(q)));
+    CHECK_FALSE(passes(&itself, q, {0.5 + 1e-9, -0.5, 0.5, 0.5}));
 }
 
 TEST_CASE("a mistake is named where it answers as the learner does, and else by what it is always off") {
@@ -195,8 +187,7 @@ TEST_CASE("a mistake that loses digits has its name in another spelling, too, an
         for (int i = 1; i <= 40; ++i) {
             const double x = 1e-9 * std::pow(1.7, i);
             const Numbers found = answer_of(function)({x});
-            calls.push_back(
-                {{x}, found, is_right(function_of(&logarithm), {x}, found, {2e-12}, SpokenOf<double(double)>::spoken)});
+            calls.push_back({{x}, found, passes(&logarithm, {x}, found)});
         }
         return diagnosed("digits_test", function_of(&logarithm), calls);
     };

@@ -1,4 +1,4 @@
-# The program that makes C++ of mistakes.diff:  sh write_mistakes.sh FUNCTION FOLDER SOURCE WRITE_MISTAKES
+# What the program refuses that makes C++ of mistakes.diff (what it makes is tested with every exercise):  sh write_mistakes.sh FUNCTION FOLDER SOURCE WRITE_MISTAKES
 
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../tools/expect.sh"
@@ -60,8 +60,6 @@ Hint: Begin.
 +}
 END
 }
-written() { expect 0 "$write_mistakes" twice . solution.cpp correct.cpp mistakes.diff; }
-
 # refused EXPRESSION WORDS: with mistakes.diff edited by sed, the program says one line with these words, and writes nothing.
 refused() {
     sed -i.bak "$1" mistakes.diff
@@ -71,41 +69,6 @@ refused() {
     is "$(lines err)" 1
     [ ! -e twice_mistakes.hpp ] || fail 'something is written'
     mv mistakes.diff.bak mistakes.diff
-}
-
-test_edits_of_answers_become_code() {
-    new_exercise
-    written
-    {
-        cat <<'END'
-#include <string>
-#include <utility>
-#include <vector>
-namespace checker {
-using Answer = double (*)(double);
-struct Mistake { std::string name; Answer call; };
-Answer answer_of(Answer f) { return f; }
-Answer function_of(Answer f) { return f; }
-}
-namespace mistakes {
-#include "twice_mistakes.hpp"
-}
-namespace correct {
-#include "correct.cpp"
-#include "twice_correct.hpp"
-}
-int main() {
-    const double values[] = {3, 9, 10, 0};
-    bool right = mistakes::all.size() == 4 && correct::all.size() == 2 && mistakes::for_all == 1;
-    for (int i = 0; i < 4; ++i) right = right && mistakes::all[i].call(3) == values[i];
-    for (const auto& [name, call] : correct::all) right = right && call(3) == 6;
-    return right && mistakes::all[2].name == "thrice_and_more" && correct::all[1].first == "correct_left_over" ? 0 : 1;
-}
-END
-    } >main.cpp
-    expect 0 c++ -std=c++20 main.cpp -o main
-    expect 0 ./main
-    says twice_mistakes.json '"once": {"says": "That is \"once\".", "hint": "Add one more."}'
 }
 
 test_a_list_of_edits_that_is_wrong_is_refused_by_its_line() {

@@ -52,3 +52,12 @@ needs_isolation() {
     echo 'bubblewrap is missing, or may not isolate here'
     exit 77
 }
+
+# grade_class FUNCTION FOLDER SOURCE COURSE BUILD: the test, with a class to grade.
+grade_class() {
+    program=$4 real_build=$5
+    begin "$@"
+    new_fixture
+    new_class
+    "$function"
+}

@@ -287,8 +287,4 @@ words() {
         "FIXTURE_CTEST=false $program"
 }
 
-program=$4 real_build=$5
-begin "$@"
-new_fixture
-new_class
-"$function"
+grade_class "$@"

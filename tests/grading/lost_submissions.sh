@@ -110,8 +110,4 @@ test_a_changed_checker_makes_old_grades_stale() {
     done
 }
 
-program=$4 real_build=$5
-begin "$@"
-new_fixture
-new_class
-"$function"
+grade_class "$@"

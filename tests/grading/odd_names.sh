@@ -81,8 +81,4 @@ test_bad_use_in_one_line() {
     [ ! -e class.grades ] || fail 'there are grades'
 }
 
-program=$4 real_build=$5
-begin "$@"
-new_fixture
-new_class
-"$function"
+grade_class "$@"

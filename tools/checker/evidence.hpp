@@ -51,7 +51,7 @@ bool is_case_of_slips(const std::string& exercise, const std::vector<std::string
 Diagnosis wrong_region(const Truth& truth, const std::vector<Call>& calls, const Evidence& evidence);
 bool is_case_of_region(const Diagnosis& diagnosis, const Truth& truth, const Call& call);
 /// Of counts, and of yes and no: is it wrong only where a little less of the arguments makes another of the right
-/// answer? (wcheck_in_process.cpp)
+/// answer? (wrong_region.cpp)
 bool is_near_thing(const Truth& truth, const Evidence& evidence);
 
 /// By what is the answer off, in nearly every call: "twice", "minus".

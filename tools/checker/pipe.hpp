@@ -38,9 +38,15 @@ struct LastWords {
     char text[4096];  ///< ends with a 0
 };
 
-/// Reads exactly `size` bytes. False at the end of the pipe.
-inline bool read_all(int fd, void* to, std::size_t size) {
+struct DoNotWait {
+    void operator()() const {}
+};
+
+/// Reads exactly `size` bytes, and calls `wait` before each part of them. False at the end of the pipe.
+template <class Wait = DoNotWait>
+bool read_all(int fd, void* to, std::size_t size, const Wait& wait = {}) {
     for (char* at = static_cast<char*>(to); size > 0;) {
+        wait();
         const ssize_t got = read(fd, at, size);
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) return false;
@@ -50,11 +56,13 @@ inline bool read_all(int fd, void* to, std::size_t size) {
     return true;
 }
 
-/// Writes exactly `size` bytes. False where nobody reads.
-inline bool write_all(int fd, const void* from, std::size_t size) {
+/// Writes exactly `size` bytes, and calls `wait` before each part of them. False where nobody reads.
+template <class Wait = DoNotWait>
+bool write_all(int fd, const void* from, std::size_t size, const Wait& wait = {}) {
     for (const char* at = static_cast<const char*>(from); size > 0;) {
+        wait();
         const ssize_t put = write(fd, at, size);
-        if (put < 0 && errno == EINTR) continue;
+        if (put < 0 && (errno == EINTR || errno == EAGAIN)) continue;
         if (put <= 0) return false;
         at += put;
         size -= static_cast<std::size_t>(put);

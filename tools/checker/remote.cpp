@@ -20,7 +20,6 @@
 #include <unistd.h>
 
 #include "look.hpp"
-#include "finding.hpp"
 #include "pipe.hpp"
 
 namespace checker {
@@ -248,15 +247,7 @@ void Remote::wait_for(int pipe, short event) {
 
 // False where nobody listens any more. A pipe holds 64 KB, and a call may be longer.
 bool Remote::send(const void* from, std::size_t size) {
-    for (const char* at = static_cast<const char*>(from); size > 0;) {
-        wait_for(calls_, POLLOUT);
-        const ssize_t put = write(calls_, at, size);
-        if (put < 0 && (errno == EINTR || errno == EAGAIN)) continue;
-        if (put <= 0) return false;
-        at += put;
-        size -= static_cast<std::size_t>(put);
-    }
-    return true;
+    return write_all(calls_, from, size, [this] { wait_for(calls_, POLLOUT); });
 }
 
 // What comes with the reply. Throws NoAnswer where it is not the one expected.
@@ -283,15 +274,7 @@ std::string Remote::hear(Reply expected) {
 }
 
 void Remote::receive(void* to, std::size_t size) {
-    char* at = static_cast<char*>(to);
-    while (size > 0) {
-        wait_for(answers_, POLLIN);
-        const ssize_t got = read(answers_, at, size);
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) gone();
-        at += got;
-        size -= static_cast<std::size_t>(got);
-    }
+    if (!read_all(answers_, to, size, [this] { wait_for(answers_, POLLIN); })) gone();
 }
 
 // The pipe has an end before the answer. The process stays there to be looked at until `end`. One

@@ -8,7 +8,7 @@
 
 #include <sys/types.h>
 
-#include "no_answer.hpp"
+#include "finding.hpp"
 #include "numbers.hpp"
 #include "pipe.hpp"
 

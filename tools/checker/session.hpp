@@ -9,7 +9,6 @@
 
 #include "answer.hpp"
 #include "finding.hpp"
-#include "no_answer.hpp"
 #include "registry.hpp"
 
 namespace checker {
