@@ -104,12 +104,11 @@ public:
                                  "remainder", "pair"};
         bool seen = false;
         for (std::size_t i = 0; i + 3 < t_.size(); ++i) {
-            if (words.count(text(i)) && text(i - 1) != "stable_") return true;
+            if (words.count(text(i))) return true;
             if (text(i) == name_ && seen) return true;  // it calls itself
             if (text(i) == "*" && !t_[i].blank && is_name(text(i - 1)) && t_[i + 1].blank)
                 return true;                                                                    // pointers know no end
             if (text(i) == "begin" && (text(i + 3) == "+" || text(i + 3) == "-")) return true;  // nor do these
-            if (text(i) == "std" && (text(i + 2) == "copy" || text(i + 2) == "copy_n")) return true;
             seen |= text(i) == name_;
         }
         return false;
@@ -213,9 +212,8 @@ private:
     void find_lambdas() {
         lambdas_.clear();
         for (std::size_t i = begin_; i < end_; ++i) {
-            if (text(i) != "[" || operand_before(i) || text(i - 1) == "auto" || text(i - 1) == "&") continue;
+            if (text(i) != "[" || operand_before(i) || text(i - 1) == "auto") continue;
             const std::size_t close = other_[i];
-            if (text(close + 1) != "(") continue;
             std::size_t body = other_[close + 1];
             while (text(body) != "{") ++body;
             lambdas_.push_back({close + 1, body, close > i + 1});
@@ -231,7 +229,7 @@ private:
                 std::size_t type = i - 1;
                 if (text(type) == "&") --type;
                 const bool state = text(type) == ">" && is_state(type - 3);
-                if (is_name(text(i)) && (state || is_type(type)) && depth_[i] == 0)
+                if (is_name(text(i)) && (state || is_type(type)))
                     variables_.push_back({text(i), state ? "State" : text(type), begin_, end_, false});
             }
         arguments_ = variables_.size();
@@ -542,7 +540,6 @@ private:
             const std::size_t equals = until(i, {"=", ";"});
             const bool calls = text(i + 1) == "(" && other_[i + 1] + 1 == end;
             if (text(equals) != "=" && !calls) continue;
-            if (calls && is_name(last)) continue;
             if (text(equals) == "=" && is_name(text(equals - 1)) && is_name(text(equals - 2)))
                 continue;  // of a type of its own
             wrap(i, end - 1, "if (slip::keeps(" + next() + ")) ", "");
