@@ -3,11 +3,9 @@
 #include <Eigen/Core>
 #include <timestep/methods/explicit_euler.hpp>
 #include <timestep/methods/implicit_euler.hpp>
-#include <timestep/methods/leapfrog.hpp>
 #include <timestep/methods/runge_kutta_4.hpp>
 #include <timestep/methods/semi_implicit_euler.hpp>
 #include <timestep/methods/semi_implicit_euler_new_damping.hpp>
-#include <timestep/methods/velocity_verlet.hpp>
 #include <timestep/methods/verlet.hpp>
 #include <timestep/models/damped_spring.hpp>
 #include <timestep/models/projectile.hpp>
@@ -30,21 +28,8 @@ struct Pull {
 
 int main() { run(runge_kutta_4, Pull{}, State{0.0, 1.0, 0.0}, 0.1, 10); }
 
-// ---- acceleration returns nothing
-// A force that returns nothing.
-// error: timestep: the acceleration must be what the position is: a number, or a vector of the same size
-struct Pull {
-#ifdef MISUSE
-    void acceleration(double) const {}
-#else
-    double acceleration(double x) const { return -x; }
-#endif
-};
-
-int main() { run(semi_implicit_euler, Pull{}, State{0.0, 1.0, 0.0}, 0.1, 10); }
-
 // ---- implicit system without derivative
-// The same for a first-order system.
+// An implicit method solves for the new state and needs the system's derivative for that.
 // error: timestep: implicit methods need the system's derivative slope_y(t, y)
 struct Decay {
     double operator()(double, double y) const { return -y; }
@@ -56,7 +41,7 @@ struct Decay {
 int main() { run(implicit_euler, Decay{}, FirstOrder{0.0, 1.0}, 0.1, 10); }
 
 // ---- implicit without derivatives
-// An implicit method solves for the new state and needs the force's derivatives for that.
+// The same for a force.
 // error: timestep: implicit methods need the force's derivatives slope_x and slope_v
 struct Cubic {
     double acceleration(double x) const { return -x * x * x; }
@@ -67,31 +52,6 @@ struct Cubic {
 };
 
 int main() { run(implicit_euler, Cubic{}, State{0.0, 1.0, 0.0}, 0.1, 10); }
-
-// ---- leapfrog with damper
-// A damper needs a velocity, and leapfrog has none yet where it asks for the force.
-// error: timestep: Verlet has no velocity to hand to a force: it needs acceleration() or acceleration(x)
-int main() {
-    const State start{0.0, 1.0, 0.0};
-#ifdef MISUSE
-    const DampedSpring model(2.0, 0.1);
-#else
-    const Spring model(2.0);
-#endif
-    run(leapfrog, model, start, 0.1, 10);
-}
-
-// ---- model for system
-// A model of a body is no first-order system, which knows neither position nor velocity.
-// error: timestep: a first-order system needs f(t, y)
-int main() {
-    const Spring spring(10.0);
-#ifdef MISUSE
-    run(runge_kutta_4, spring, FirstOrder{0.0, 1.0}, 0.1, 10);
-#else
-    run(runge_kutta_4, spring, State{0.0, 1.0, 0.0}, 0.1, 10);
-#endif
-}
 
 // ---- new damping nonlinear
 // Damping at the new velocity is one division where the force is linear in the velocity, and only there.
@@ -113,31 +73,6 @@ int main() {
     run(semi_implicit_euler_new_damping, Resistance{}, start, 0.1, 10);
 }
 
-// ---- no acceleration
-// A model must say what its force is.
-// error: timestep: a model needs a const member acceleration(), acceleration(x) or acceleration(x, v)
-struct Ball {
-#ifdef MISUSE
-    double gravity() const { return -9.81; }
-#else
-    double acceleration() const { return -9.81; }
-#endif
-};
-
-int main() { run(explicit_euler, Ball{}, State{0.0, 1.0, 0.0}, 0.1, 10); }
-
-// ---- number for model
-// A number where a model is due.
-// error: timestep: a model needs a const member acceleration(), acceleration(x) or acceleration(x, v)
-int main() {
-#ifdef MISUSE
-    const double model = 10.0;
-#else
-    const Spring model(10.0);
-#endif
-    run(semi_implicit_euler, model, State{0.0, 1.0, 0.0}, 0.1, 10);
-}
-
 // ---- scalar force in scene
 // Gravity in a scene is a vector where the position is one, as it is alone.
 // error: timestep: the acceleration must be what the position is: a number, or a vector of the same size
@@ -151,19 +86,6 @@ int main() {
     run(semi_implicit_euler, hung, start, 0.01, 10);
 }
 
-// ---- scalar force on vector
-// Gravity is a vector where the position is one.
-// error: timestep: the acceleration must be what the position is: a number, or a vector of the same size
-int main() {
-    const State start{0.0, Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 0, 0)};
-#ifdef MISUSE
-    const Projectile ball(-9.81);
-#else
-    const Projectile ball(Eigen::Vector3d(0, 0, -9.81));
-#endif
-    run(semi_implicit_euler, ball, start, 0.01, 10);
-}
-
 // ---- system without f
 // A first-order system is a function of t and y.
 // error: timestep: a first-order system needs f(t, y)
@@ -174,32 +96,6 @@ int main() {
     const auto f = [](double, double y) { return -y; };
 #endif
     run(explicit_euler, f, FirstOrder{0.0, 1.0}, 0.1, 10);
-}
-
-// ---- vector force on scalar
-// Gravity is a number where the position is one.
-// error: timestep: the acceleration must be what the position is: a number, or a vector of the same size
-int main() {
-    const State start{0.0, 1.0, 0.0};
-#ifdef MISUSE
-    const Projectile ball(Eigen::Vector3d(0, 0, -9.81));
-#else
-    const Projectile ball(-9.81);
-#endif
-    run(explicit_euler, ball, start, 0.01, 10);
-}
-
-// ---- velocity verlet with damper
-// A damper needs a velocity, and velocity verlet has none yet where it asks for the force.
-// error: timestep: Verlet has no velocity to hand to a force: it needs acceleration() or acceleration(x)
-int main() {
-    const State start{0.0, 1.0, 0.0};
-#ifdef MISUSE
-    const DampedSpring model(2.0, 0.1);
-#else
-    const Spring model(2.0);
-#endif
-    run(velocity_verlet, model, start, 0.1, 10);
 }
 
 // ---- verlet with damper

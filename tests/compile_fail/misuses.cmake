@@ -6,7 +6,7 @@ file(REMOVE_RECURSE "${WORK}")
 execute_process(COMMAND sh "${ROOT}/tests/split.sh" "${CMAKE_CURRENT_LIST_DIR}" "${WORK}" COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB misuses "${WORK}/*.cpp")
 list(LENGTH misuses count)
-if(count LESS 30)
+if(count LESS 20)
   message(FATAL_ERROR "${CMAKE_CURRENT_LIST_DIR}: only ${count} misuses found")
 endif()
 

@@ -4,6 +4,7 @@
 #include <timestep/models/spring.hpp>
 #include <timestep/rigid/body_scene.hpp>
 #include <timestep/run.hpp>
+#include <timestep/scene.hpp>
 
 using namespace timestep;
 
@@ -76,20 +77,6 @@ int main() {
     static_cast<void>(scene);
 }
 
-// ---- rolling without ground
-// Rolling resistance needs a ground to roll on: without one it would do nothing.
-// error: timestep: in a BodyScene RollingResistance comes after Ground, whose load it needs
-int main() {
-    const Weight<double> weight(9.81);
-    const RollingResistance<double> rolling(0.01);
-#ifdef MISUSE
-    const BodyScene scene(weight, rolling);
-#else
-    const BodyScene scene(weight, Ground<double>(0.5), rolling);
-#endif
-    static_cast<void>(scene);
-}
-
 // ---- step and steps swapped
 // The length of a step comes first, then how many of them.
 // error: timestep: in run(method, model, start, h, steps) steps is a whole number
@@ -101,4 +88,16 @@ int main() {
 #else
     run(semi_implicit_euler, spring, start, 0.01, 600);
 #endif
+}
+
+// ---- scene without forces
+// A scene adds up forces; without any it has no acceleration.
+// error: timestep: a scene needs at least one force
+int main() {
+#ifdef MISUSE
+    const Scene<> scene;
+#else
+    const Scene<Spring<double>> scene(Spring(10.0));
+#endif
+    static_cast<void>(scene);
 }
