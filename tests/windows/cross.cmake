@@ -99,7 +99,6 @@ foreach(name IN LISTS NAMES)
   endif()
   compare(${name}_study found/checks.tsv "")
 endforeach()
-run(there derivatives_study --out found)  # over what the first has left
 
 foreach(tests tests/timestep_tests engines/tests/c_tests)
   step("${tests}" "${ROOT}/tests/same_bits/wine.sh" "${WORK}/${tests}.exe" "~[proof]")
@@ -107,34 +106,20 @@ foreach(tests tests/timestep_tests engines/tests/c_tests)
   message(NOTICE "${tests}: ${passed}")
 endforeach()
 
-# An answer that is not there, one that is right, and some that are not: an editor finds the line, as the problem matcher
-# of .vscode reads it.
-file(READ "${ROOT}/.vscode/tasks.json" tasks)
-string(JSON marked GET "${tasks}" tasks 0 problemMatcher pattern regexp)
-string(REGEX REPLACE "^\\^(.*)[$]$" "\n\\1" marked "${marked}")
-string(REPLACE ":]" ":\n]" marked "${marked}")  # it reads line by line
+# An answer that is right, and one that is not.
 function(check words pass)
   execute_process(COMMAND "${CMAKE_COMMAND}" --build "${WORK}" --target check_velocity_now
     RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
   if(NOT said MATCHES "${words}" OR (pass AND NOT status EQUAL 0) OR (NOT pass AND status EQUAL 0))
     message(SEND_ERROR "check_velocity_now exits with ${status} and says\n${said}\nbut must say \"${words}\"")
   endif()
-  if(NOT pass AND NOT words MATCHES "not started")
-    if(NOT said MATCHES "${marked}" OR NOT CMAKE_MATCH_1 MATCHES "[/\\\\]velocity_now[.]cpp$")
-      message(SEND_ERROR "check_velocity_now marks no line of the answer:\n${said}")
-    endif()
-  endif()
 endfunction()
-check("1[.]1 velocity_now: not started" OFF)
 file(READ "${ROOT}/solutions/01_derivatives/velocity_now.cpp" solved)
 file(WRITE "${answer}" "${solved}")
 check("1[.]1 velocity_now: right" ON)
 string(REPLACE "(newer - older)" "(older - newer)" wrong "${solved}")
 file(WRITE "${answer}" "${wrong}")
 check("1[.]1 velocity_now: not yet.*This must hold, and does not:.*right is " OFF)
-string(REPLACE "return newer" "throw std::runtime_error(\"no idea\"); return newer" wrong "${solved}")
-file(WRITE "${answer}" "${wrong}")
-check("1[.]1 velocity_now: crashes.*no idea" OFF)
 string(REPLACE "return newer" "return unheard_of + newer" wrong "${solved}")
 file(WRITE "${answer}" "${wrong}")
 check("error: .*unheard_of" OFF)
