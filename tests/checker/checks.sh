@@ -28,12 +28,6 @@ test_a_link_to_the_solution_is_not_ones_own() {
     refused 'The file includes solutions/01_derivatives/velocity_now.cpp.'
 }
 
-test_a_compiler_that_waits_is_ended() {
-    mkfifo pipe
-    echo "#include \"$folder/pipe\"" >answer.cpp
-    refused 'The compiler waits for something that does not come.'
-}
-
 # Ten digits do not tell it from what is right: then more are printed.
 test_a_result_that_is_shown_is_wrong_as_it_is_printed() {
     solution | sed 's|/ 2;|/ 2 + 3e-11 * newer;|' >answer.cpp

@@ -315,7 +315,7 @@ new_build() {
     for part in ready hidden; do ln -s "$real_build/exercises/$part" build/exercises; done
     printf '#!/bin/sh\necho "$*" >>"%s/calls"\n' "$folder" >cmake
     chmod +x cmake
-    mkdir -p source/include source/tools/cmake source/tools/checker source/tools/processes
+    mkdir -p source/include source/tools/cmake source/tools/checker
     cp -r "$source/include" "$source/CMakeLists.txt" source
     cp "$source/tests/CMakeLists.txt" source/tests
     cp "$source/tests/exercises/CMakeLists.txt" source/tests/exercises

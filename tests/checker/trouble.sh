@@ -94,13 +94,11 @@ test_an_interrupt_ends_all_and_leaves_nothing() {
 }
 
 test_a_killed_check_leaves_no_compiler() {
-    own_build "$works_a_little & "'echo "$! $$" >running; wait'
+    own_build 'echo "$$" >running; '"$works_a_little"
     start_course check velocity_now
     wait_until [ -s running ]
     kill -KILL $running
-    for process in $(cat running); do
-        wait_until is_gone "$process"
-    done
+    wait_until is_gone "$(cat running)"
 }
 
 test_watch_notices_what_is_saved_during_a_check() {
@@ -163,7 +161,7 @@ test_commands_that_are_damaged_say_how_they_are_made_again() {
 # A zombie is gone, too.
 is_gone() { case $(ps -o stat= -p "$1") in '' | Z*) ;; *) return 1 ;; esac; }
 
-# Of a compiler: neither too much work nor none, so that only the clock ends it, and that late.
+# A compiler that only the clock ends, and late: it works too little for its limit.
 works_a_little='while :; do seq 300000 >/dev/null; sleep 0.3; done'
 
 # What `timeout sh -c` needs in front of the words for the course.

@@ -16,8 +16,7 @@ test_their_limits_are_those_of_the_checker() {
     says "$source/docs/promises.md" "each of a compiler's programs has $(seconds compiler_seconds tools/course/paths.hpp) s of work (with Eigen 18), \
 a call $(seconds call_seconds tools/checker/remote.hpp) s, \
 all calls $(seconds total_seconds tools/checker/remote.hpp) s. \
-A compiler that only waits is ended after $(seconds idle_seconds tools/course/verdict.cpp) s; so is code that sleeps \
-for longer than it may work. By the clock, on which a busy machine is slow, a compiler has \
+Code that sleeps for longer than it may work is ended. By the clock, on which a busy machine is slow, a compiler has \
 $(seconds compiler_seconds tools/course/paths.hpp)0 s and a call $(seconds clock_seconds tools/checker/remote.hpp) s."
 }
 

@@ -44,7 +44,7 @@ test_unknown_words_are_refused_before_anything_is_installed() {
 
 # A checkout with what the course program is made of.
 make_sources() {
-    mkdir -p checkout/tools/course checkout/tools/cmake checkout/tools/processes checkout/include
+    mkdir -p checkout/tools/course checkout/tools/cmake checkout/include
     : >checkout/CMakeLists.txt
     : >checkout/tools/CMakeLists.txt
     : >checkout/tools/course/main.cpp

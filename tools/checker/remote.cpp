@@ -214,7 +214,7 @@ void Remote::begin_call() {
 
 // The first look of a call tells what was used before it, and is at most a turn late.
 void Remote::look(bool in_call) {
-    const processes::Look seen = processes::look_at(process_, true);
+    const Look seen = look_at(process_);
     next_look_ = now() + turn;
     if (seen.known) {
         if (call_used_ < 0) call_used_ = seen.seconds;
@@ -288,7 +288,7 @@ void Remote::gone() {
         waitid(P_PID, static_cast<id_t>(process_), &how, WEXITED | WNOHANG | WNOWAIT);
         if (how.si_pid != 0) break;
         if (now() < looked + turn) continue;
-        const processes::Look seen = processes::look_at(process_, true);
+        const Look seen = look_at(process_);
         looked = now();
         asleep += seen.asleep;
         if (used < 0) used = seen.seconds;

@@ -136,8 +136,8 @@ bool is_ready(const Exercise& exercise) {
     if (!since || contents(ready_mark(exercise)) != found_by()) return false;
     const fs::path &source = paths().source, &build = paths().build;
     const std::string room = exercise.chapter + "/" + exercise.name;
-    std::vector<fs::path> parts{source / "CMakeLists.txt", source / "include",         source / "tools/cmake",
-                                source / "tools/checker",  source / "tools/processes", build / "CMakeCache.txt"};
+    std::vector<fs::path> parts{source / "CMakeLists.txt", source / "include", source / "tools/cmake",
+                                source / "tools/checker", build / "CMakeCache.txt"};
     if (is_kit())
         parts.push_back(source / "kit");
     else

@@ -151,7 +151,7 @@ Pile gather(const Grading& grading) {
     return some;
 }
 
-// In a process of its own, on a copy: what was handed in is read only once.
+// On a copy: what was handed in is read only once.
 Grade check_one(const Submission& submission, const Exercise& exercise, const std::string& answer, std::uint64_t seed,
                 const Sandbox* sandbox, int patience) {
     Grade grade{submission.name, exercise.name, "course_error", "", seed, 0, true};
@@ -238,13 +238,11 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
         };
     };
     const auto keep = [&](std::size_t i, const Grade& grade) {
-        grades[i] = grade;  // of a check that ended without a word it has no names
-        grades[i].submission = pile.submission(i).name;
-        grades[i].exercise = pile.exercise(i).name;
-        journal.keep(grades[i], texts[i]);
+        grades[i] = grade;
+        journal.keep(grade, texts[i]);
     };
-    const int jobs =
-        grading.jobs > 0 ? grading.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    const std::size_t jobs = grading.jobs > 0 ? static_cast<std::size_t>(grading.jobs)
+                                              : std::max<std::size_t>(1, std::thread::hardware_concurrency());
     in_parallel(to_do, jobs, work(1), [&](std::size_t i, const Grade& grade) {
         if (!grade.in_time)
             once_more.push_back(i);  // perhaps it was its neighbours, or the machine is slow

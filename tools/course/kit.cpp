@@ -37,7 +37,6 @@ const std::vector<Part> parts{
     {"tools/figures", {".gp"}},
     {"tools/lab", {".cpp", ".hpp", "CMakeLists.txt"}},
     {"tools/live", {".hpp", ".md"}},
-    {"tools/processes", {".cpp", ".hpp", "CMakeLists.txt"}},
 };
 const std::vector<std::string> single_files{".gitignore", "CMakeLists.txt",       "CMakePresets.json",
                                             "LICENSE",    "tools/CMakeLists.txt", "tools/set_up.sh",

@@ -1,5 +1,6 @@
 #include "process.hpp"
 
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -17,7 +18,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "look.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
 
@@ -109,6 +109,7 @@ void confine(const Allowance& allowance) {
     const rlimit first{seconds, seconds + 1};
     if (seconds > 0) setrlimit(RLIMIT_CPU, &first);
     setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // it ends with us; the processes that it has started have their limits
     const int terminal = open("/dev/tty", O_RDWR | O_CLOEXEC);
     if (terminal >= 0) ioctl(terminal, TIOCNOTTY);
     dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
@@ -122,60 +123,9 @@ void confine(const Allowance& allowance) {
     if (!allowance.temporary.empty()) setenv("TMPDIR", allowance.temporary.c_str(), 1);
 }
 
-// A process that kills that group if this process dies first.
-class Guard {
-public:
-    explicit Guard(pid_t group) {
-        const pid_t parent = getpid();
-        guard_ = fork();
-        if (guard_ != 0) return;
-        close_range(0, ~0u, 0);
-        sigset_t all, end;
-        sigfillset(&all);
-        sigprocmask(SIG_SETMASK, &all, nullptr);  // signals are for its parent
-        sigemptyset(&end);
-        sigaddset(&end, SIGUSR1);
-        prctl(PR_SET_PDEATHSIG, SIGUSR1);
-        if (getppid() == parent) sigwaitinfo(&end, nullptr);
-        kill(-group, SIGKILL);
-        _exit(0);
-    }
-    ~Guard() {
-        if (guard_ < 0) return;
-        kill(guard_, SIGKILL);
-        wait_for(guard_);
-    }
-    Guard(const Guard&) = delete;
-    Guard& operator=(const Guard&) = delete;
-
-private:
-    pid_t guard_;
-};
-
-// Looks once per second whether a process or its descendants work. It counts looks, not seconds: on a busy machine much
-// time may pass between two looks.
-class Idleness {
-public:
-    Idleness(pid_t process, double seconds) : process_(process), seconds_(seconds) {}
-    bool is_too_long() {
-        if (seconds_ == 0 || now() < next_look_) return false;
-        next_look_ = now() + 1;
-        const processes::Look seen = processes::look_at(process_, true);
-        const bool idle = seen.known && seen.asleep && seen.seconds == seconds_worked_;
-        idle_looks_ = idle ? idle_looks_ + 1 : 0;
-        seconds_worked_ = seen.seconds;
-        return idle_looks_ > seconds_;
-    }
-
-private:
-    pid_t process_;
-    double seconds_, next_look_ = now() + 1;
-    double seconds_worked_ = -1;
-    int idle_looks_ = 0;
-};
-
 const std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
 volatile std::sig_atomic_t caught = 0;
+std::atomic<bool> is_told = false;  // somebody has thrown for it
 
 extern "C" void remember_signal(int signal) { caught = signal; }
 
@@ -227,7 +177,6 @@ Outcome run_within(const std::vector<std::string>& command, const Allowance& all
     if (read_end >= 0) close(read_end);
     const pid_t group = running.process;
     setpgid(group, group);
-    const Guard guard(group);
     const double deadline = now() + allowance.seconds;
 
     Outcome outcome;
@@ -235,14 +184,12 @@ Outcome run_within(const std::vector<std::string>& command, const Allowance& all
     char piece[4096];
     int status = 0;
     bool listening = true, ended = false;
-    Idleness idleness(group, allowance.idle_seconds);
     Wait wait(allowance.waiting_for);
-    while (!ended && !interrupted() && now() < deadline && !outcome.waited) {
+    while (!ended && !interrupted() && now() < deadline) {
         wait.look();
         if (listening) {
             const ssize_t size = hear(running.output, piece, sizeof piece, turn);
             listening = size != 0;
-            if (size < 0) outcome.waited = idleness.is_too_long();
             if (size <= 0) continue;
             // Of long output keep the beginning, and the end, where a compiler says why it stopped.
             std::string& part = outcome.said.size() < most ? outcome.said : end;
@@ -250,7 +197,6 @@ Outcome run_within(const std::vector<std::string>& command, const Allowance& all
             if (end.size() > 2 * sizeof piece) end.erase(0, end.size() - sizeof piece);
         } else {
             ended = has_ended(group, status, turn);
-            outcome.waited = !ended && idleness.is_too_long();
         }
     }
     close(running.output);
@@ -289,16 +235,14 @@ TidyEnd::TidyEnd() {
 
 TidyEnd::~TidyEnd() {
     for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
-    const int left = caught;
-    caught = 0;
-    if (left != 0) std::raise(left);
+    if (caught != 0 && !is_told) std::raise(caught);
 }
 
 bool interrupted() { return caught != 0; }
 
 void stop_if_interrupted() {
     if (!interrupted()) return;
-    caught = 0;
+    is_told = true;
     throw Stop(Status::interrupted, "interrupted");
 }
 

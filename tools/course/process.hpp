@@ -29,14 +29,12 @@ struct Allowance {
     std::size_t processes = 0;       ///< and threads, in addition to those that the machine runs already
     std::string temporary = {};      ///< the folder for its temporary files; empty: the usual one
     int processor_seconds = 0;       ///< of each of its processes
-    double idle_seconds = 0;         ///< without any work in any of them
     std::string waiting_for = {};    ///< what Wait prints meanwhile
 };
 
 struct Outcome {
     int status = 0;         ///< its exit status; 128 + signal where one ended it
     bool too_slow = false;  ///< it was stopped
-    bool waited = false;    ///< because it did no work
     std::string said;  ///< standard output and error together; of more than a million bytes, the beginning and the end
 };
 
@@ -57,8 +55,8 @@ private:
     std::string rest_;
 };
 
-/// While one exists, SIGINT, SIGTERM and SIGHUP only set `interrupted`: whoever waits checks it and throws, so that
-/// destructors run. A signal that nobody has checked ends the program when the last TidyEnd goes.
+/// While one exists, SIGINT, SIGTERM and SIGHUP only set `interrupted`: whoever waits, in any thread, checks it and
+/// throws, so that destructors run. A signal that nobody has checked ends the program when the last TidyEnd goes.
 class TidyEnd {
 public:
     TidyEnd();
@@ -70,7 +68,7 @@ private:
     std::array<struct sigaction, 3> before_;
 };
 
-/// Was there a signal for which nobody has thrown yet?
+/// Was there a signal?
 bool interrupted();
 
 /// Throws Stop(interrupted) if there was.

@@ -86,24 +86,19 @@ std::string ended_by(const Outcome& outcome) {
     return "";
 }
 
-// A compiler that does no work for so long reads from a pipe, say, into which nobody writes.
-constexpr double idle_seconds = 5;
-
 // Runs the compiler; false where it refuses, or has not come to an end.
 bool succeeds(const Words& command, const TemporaryFolder& temporary, Verdict& verdict, int patience) {
     const int seconds = paths().compiler_seconds * patience;
-    const Outcome outcome = run_within(command, {10. * seconds, 4096, 64, 64, temporary.folder().string(), seconds,
-                                                 idle_seconds, "Waiting for the compiler"});
+    const Outcome outcome = run_within(
+        command, {10. * seconds, 4096, 64, 64, temporary.folder().string(), seconds, "Waiting for the compiler"});
     // The words may be the answer's own: so the disk is asked, too.
     if (outcome.status != 0 && outcome.said.find("No space left on device") != std::string::npos)
         stop_if_full(temporary.folder());
     const std::string signal = ended_by(outcome);
     const bool too_much_work = signal == strsignal(SIGXCPU);
-    // Killed it is where the machine has no memory left, or for bombs.
+    // Killed: out of memory, or a template bomb.
     if (outcome.too_slow || !signal.empty()) verdict.in_time = false;
-    if (outcome.waited)
-        verdict.compiler += "The compiler waits for something that does not come.\n";
-    else if (outcome.too_slow || too_much_work)
+    if (outcome.too_slow || too_much_work)
         verdict.compiler += "The compiler had not come to an end after " +
                             std::to_string(too_much_work ? seconds : 10 * seconds) + " s" +
                             (too_much_work ? " of work" : "") + ".\n";

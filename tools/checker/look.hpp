@@ -4,7 +4,7 @@
 
 #include <sys/types.h>
 
-namespace processes {
+namespace checker {
 
 /// One look at a process.
 struct Look {
@@ -13,7 +13,7 @@ struct Look {
     bool asleep = false;  ///< none of its threads works, or would work if it had a processor
 };
 
-/// Looks at `process`; with `descendants` at all that come of it, too.
-Look look_at(pid_t process, bool descendants);
+/// Looks at `process` and all its descendants.
+Look look_at(pid_t process);
 
-}  // namespace processes
+}  // namespace checker

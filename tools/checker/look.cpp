@@ -10,7 +10,7 @@
 
 #include <unistd.h>
 
-namespace processes {
+namespace checker {
 
 namespace {
 
@@ -62,11 +62,10 @@ bool sleeps(const fs::path& process) {
 
 }  // namespace
 
-Look look_at(pid_t process, bool descendants) {
+Look look_at(pid_t process) {
     static const double ticks_a_second = static_cast<double>(sysconf(_SC_CLK_TCK));
     std::map<pid_t, Stat> all;
-    const fs::path own = "/proc/" + std::to_string(process);
-    for (const fs::path& place : descendants ? numbered("/proc") : std::vector<fs::path>{own})
+    for (const fs::path& place : numbered("/proc"))
         if (const Stat stat = read_stat(place); stat.state != '?') all[std::stoi(place.filename())] = stat;
     Look look;
     if (!all.contains(process)) return look;
@@ -82,4 +81,4 @@ Look look_at(pid_t process, bool descendants) {
     return look;
 }
 
-}  // namespace processes
+}  // namespace checker
