@@ -149,22 +149,6 @@ bool is_ready(const Exercise& exercise) {
            all_there(exercise);
 }
 
-// Prints once, after a second, what takes so long.
-class Late {
-public:
-    Late(ProgressLine& progress, std::string what) : progress_(progress), what_(std::move(what)) {}
-    void look() {
-        if (what_.empty() || std::chrono::steady_clock::now() < end_) return;
-        progress_.say(what_);
-        what_.clear();
-    }
-
-private:
-    ProgressLine& progress_;
-    std::string what_;
-    std::chrono::steady_clock::time_point end_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
-};
-
 // CMake's first error. CMake breaks it into lines, indents them by two, and ends it with an empty line or a call stack.
 class FirstError {
 public:
@@ -207,10 +191,16 @@ void build(const std::vector<std::string>& targets, ProgressLine& progress, cons
     const fs::path log_path = paths().build / "course.log";
     std::ofstream log(log_path);
     std::vector<std::string> heard;
-    Late late(progress, what);
+    std::string to_tell = what;
+    const auto late = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+    const auto tell_if_late = [&] {
+        if (to_tell.empty() || std::chrono::steady_clock::now() < late) return;
+        progress.say(to_tell);
+        to_tell.clear();
+    };
 
     Lines lines([&](const std::string& line) {
-        late.look();
+        tell_if_late();
         heard.push_back(line);
         log << line << std::endl;
         Step step;
@@ -229,7 +219,7 @@ void build(const std::vector<std::string>& targets, ProgressLine& progress, cons
                                      "--target"};
     command.insert(command.end(), targets.begin(), targets.end());
     const int status = listen(command, std::ref(lines), [&] {
-        late.look();
+        tell_if_late();
         progress.tick();
     });
     if (one_at_a_time) unsetenv("TIMESTEP_BUILDS_IN");

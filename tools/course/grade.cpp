@@ -1,9 +1,13 @@
 // course grade
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
+#include <exception>
 #include <fstream>
+#include <functional>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <thread>
@@ -13,14 +17,13 @@
 #include "build.hpp"
 #include "commands.hpp"
 #include "grades.hpp"
-#include "jobs.hpp"
 #include "paths.hpp"
+#include "process.hpp"
 #include "sandbox.hpp"
 #include "stop.hpp"
 #include "submissions.hpp"
 #include "verdict_text.hpp"
 #include "terminal.hpp"
-#include "temporary_folder.hpp"
 
 namespace course {
 
@@ -199,6 +202,34 @@ void print(const Pile& pile, const std::vector<Grade>& grades) {
 // The whole of what there is to say where there is one answer or a few.
 void print_in_full(const std::vector<Grade>& grades) {
     for (const Grade& grade : grades) std::printf("%s\n", grade.says.c_str());
+}
+
+// Does `work` for each of these, in at most `most` threads, and passes the grades to `done`, one at a time, as they
+// come.
+void in_parallel(const std::vector<std::size_t>& which, std::size_t most, const std::function<Grade(std::size_t)>& work,
+                 const std::function<void(std::size_t, const Grade&)>& done) {
+    const TidyEnd tidy_end;
+    std::atomic<std::size_t> next = 0;
+    std::mutex one_at_a_time;
+    std::exception_ptr failure;
+    const auto run = [&] {
+        try {
+            for (std::size_t i = next++; i < which.size(); i = next++) {
+                stop_if_interrupted();
+                const Grade grade = work(which[i]);
+                const std::lock_guard lock(one_at_a_time);
+                done(which[i], grade);
+            }
+        } catch (...) {
+            const std::lock_guard lock(one_at_a_time);
+            failure = std::current_exception();
+            next = which.size();
+        }
+    };
+    std::vector<std::thread> threads;
+    while (threads.size() < std::min(most, which.size())) threads.emplace_back(run);
+    for (std::thread& thread : threads) thread.join();
+    if (failure) std::rethrow_exception(failure);
 }
 
 std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& journal, std::uint64_t seed,

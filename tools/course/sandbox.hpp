@@ -1,13 +1,33 @@
 #pragma once
 /// \file
-/// Where strangers' code is compiled and run: under bubblewrap, which sees no network, no home, no
-/// tests and no other process, and of files only those named here.
+/// Where an answer is compiled and run: a folder of its own, and for strangers' code bubblewrap, which sees no network,
+/// no home, no tests and no other process, and of files only those named here.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "files.hpp"
+#include "process.hpp"
+
 namespace course {
+
+/// A folder for one check. It goes with the check, after Ctrl-C, too. Throws Stop(bad_use) if it cannot be made.
+class TemporaryFolder {
+public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& folder() const { return folder_; }
+
+private:
+    TidyEnd tidy_end_;  // the last to go
+    std::filesystem::path folder_;
+    std::optional<Lock> in_use_;
+};
 
 class Sandbox {
 public:

@@ -1,4 +1,4 @@
-// course tour
+// course tour, course site
 
 #include <algorithm>
 #include <chrono>
@@ -15,10 +15,13 @@
 #include "commands.hpp"
 #include "exercises.hpp"
 #include "paths.hpp"
+#include "process.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
 
 namespace course {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -74,6 +77,21 @@ void grow(const std::vector<Chapter>& chapters, ProgressLine& progress) {
     build({"docs"}, progress);
 }
 
+// The whole course as a book to print; a browser prints it.
+void print_book() {
+    if (is_kit())
+        throw Stop(Status::bad_use, "--pdf: the learner's edition has no book; a checkout of the course makes it");
+    {
+        ProgressLine progress;
+        build({"book"}, progress);
+    }
+    const fs::path folder = paths().build / "site";
+    if (!fs::exists(folder / "timestep.pdf"))
+        throw Stop(Status::missing, "--pdf: no browser that prints was found (package chromium); to print by hand: " +
+                                        address_of(folder / "book.html"));
+    std::printf("%s\n", address_of(folder / "timestep.pdf").c_str());
+}
+
 }  // namespace
 
 void tour() {
@@ -82,13 +100,11 @@ void tour() {
     ProgressLine progress;
     progress.say(std::string("Building the programs, running the chapters, drawing the figures") +
                  (is_kit() ? ":" : ", making the site:"));
-    if (!is_kit() && !std::filesystem::exists(paths().build / "site/html/made")) {
+    if (!is_kit() && !fs::exists(paths().build / "site/html/made")) {
         try {
             grow(chapters, progress);
         } catch (const Stop& stop) {
-            if (stop.status() != Status::interrupted ||
-                !std::filesystem::exists(paths().build / "site/html/index.html"))
-                throw;
+            if (stop.status() != Status::interrupted || !fs::exists(paths().build / "site/html/index.html")) throw;
             throw Stop(Status::interrupted, "interrupted. What is there can be read: " + site_address() +
                                                 "; ./course tour goes on from there");
         }
@@ -100,6 +116,24 @@ void tour() {
     print_table(chapters);
     std::printf("\nThe site: %s\nNext: open it in a browser; ./course list shows the exercises\n",
                 site_address().c_str());
+}
+
+void site(bool open, bool pdf) {
+    if (pdf) return print_book();
+    if (!is_kit()) {  // which comes with a site
+        ProgressLine progress;
+        build({"docs"}, progress);
+    }
+    std::printf("%s\n", site_address().c_str());
+    if (!open) return;
+    std::fflush(stdout);
+#ifdef __APPLE__
+    const char* opener = "open";
+#else
+    const char* opener = "xdg-open";
+#endif
+    if (listen({opener, site_address()}, [](std::string_view) {}) != 0)
+        throw Stop(Status::missing, std::string(opener) + " found no browser; open the address above in one");
 }
 
 }  // namespace course

@@ -17,7 +17,6 @@
 #include "process.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
-#include "temporary_folder.hpp"
 
 namespace course {
 
@@ -132,17 +131,14 @@ bool read_finding(const std::string& said, Verdict& verdict) {
 
 // Compiles the answer in `file`, or the course's own.
 Words compiling(Words words, const Exercise& exercise, const fs::path& file, const fs::path& object) {
-    for (const std::string& word :
-         {std::string("-include"), exercise.declared().string(), std::string("-x"), std::string("c++"),
-          std::string("-c"), file.string(), std::string("-o"), object.string()})
-        words.push_back(word);
+    words.insert(words.end(),
+                 {"-include", exercise.declared().string(), "-x", "c++", "-c", file.string(), "-o", object.string()});
     return words;
 }
 
 Words linking(Words words, const Commands& commands, const fs::path& object, const fs::path& program) {
-    for (const std::string& word :
-         {object.string(), commands.worker_object, commands.worker_library, std::string("-o"), program.string()})
-        words.push_back(word);
+    words.insert(words.end(),
+                 {object.string(), commands.worker_object, commands.worker_library, "-o", program.string()});
     return words;
 }
 
