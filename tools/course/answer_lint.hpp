@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What the text of an answer shows that is wrong.
+/// Faults that show in the text of an answer.
 
 #include <string>
 

@@ -33,7 +33,7 @@ bool is_folder(const fs::directory_entry& entry) {
     return fs::is_directory(entry.symlink_status(error));
 }
 
-// Why a file named after an exercise is no answer to it; nothing where it is not meant as one.
+// Why a file named after an exercise is no answer to it; "" if it is not meant as one.
 std::string why_not(const fs::path& file, const std::string& exercise) {
     static const std::set<std::string> texts{"", ".c", ".h", ".hh", ".hpp", ".txt"};
     if (is_source(file)) return "must be named " + exercise + ".cpp, in exactly these letters: rename it";
@@ -42,22 +42,22 @@ std::string why_not(const fs::path& file, const std::string& exercise) {
     return "";
 }
 
-// What bears an answer's name where none is taken from, and why none is.
+// A file with an answer's name that is not graded, and why.
 struct Aside {
     fs::path file;
     std::string why;
-    bool in_left_out = false;  // by the folder, which is told by itself
+    bool in_left_out = false;  // its folder is listed as left out
     bool operator<(const Aside& other) const { return file < other.file; }
 };
 
-// All that bears an answer's name, at whatever depth.
+// All files with an answer's name, at any depth.
 struct Search {
     const std::map<std::string, std::size_t>& wanted;  // exercise -> place in `found`
     fs::path root;
     std::vector<std::vector<fs::path>> found;
     std::vector<std::vector<Aside>> aside = std::vector<std::vector<Aside>>(found.size());
     std::size_t seen = 0, seen_aside = 0;
-    std::string fault = {};             // why it has not seen all
+    std::string fault = {};             // why the search stopped
     std::vector<fs::path> others = {};  // files of C++ by other names
     std::vector<std::string> left_out = {};
 
@@ -96,7 +96,7 @@ struct Search {
         if (error) fault = "holds a folder that cannot be read (" + error.message() + ")";
     }
 
-    // Nothing is taken from there; but who has an answer only there is to hear of it. `top` is what is left out.
+    // Nothing is graded there, but a learner whose only answer is there is told. `top` is the folder that is left out.
     void in_left_out(const fs::path& top, const fs::path& folder, int depth) {
         std::error_code error;
         for (fs::directory_iterator entry(folder, error), end; !error && entry != end && ++seen_aside <= most_entries;
@@ -148,7 +148,7 @@ bool is_ignored(const std::string& name) {
     return names.contains(name) || name.starts_with("._");
 }
 
-// What the folder is made of that holds the whole course.
+// The parts of a checkout.
 bool is_of_the_course(const fs::path& entry) {
     static const std::set<std::string> parts{"chapters",       "docs",
                                              "engines",        "exercises",
@@ -177,7 +177,7 @@ bool answers_another(const fs::path& file) {
     return std::any_of(all.begin(), all.end(), [&](const Exercise& exercise) { return exercise.name == file.stem(); });
 }
 
-// Opened once, and all is asked of what was opened: what bears the name may change.
+// Opened once, and checked by its descriptor: the file behind the name may change.
 std::string text_of(const HandedIn& answer) {
     const std::size_t most = 1 << 20;
     const std::string name = in_one_line(answer.file.filename().string());
@@ -253,7 +253,7 @@ Answers collect_answers(const Submission& submission, const std::vector<Exercise
             continue;
         }
         std::sort(aside.begin(), aside.end());
-        // By another name, as platforms and browsers give them: it can only be the one.
+        // The only C++ file counts under any name: platforms and browsers rename files.
         if (is_only() && (aside.empty() || (aside.size() == 1 && aside[0].file == search.others[0])))
             answer.file = search.others[0];
         else if (!aside.empty())

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a learner's file is made of, as the compiler tells.
+/// Does an answer include the course's answers or tests?
 
 #include <filesystem>
 #include <string>

@@ -31,8 +31,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What grades depend on besides the answers: this program, which makes verdicts and words; the hidden tests; and what
-// answers are compiled and linked with, but for what the compiler has made of the headers, which is large.
+// What grades depend on apart from the answers: this program, which makes verdicts and words; the hidden tests; and
+// what answers are compiled and linked with, apart from the precompiled headers, which are large.
 std::string edition(const std::vector<Exercise>& exercises) {
     std::set<fs::path> parts{"/proc/self/exe", paths().build / "exercises/commands.json",
                              paths().source / "include/timestep/state.hpp",
@@ -53,7 +53,7 @@ std::string edition(const std::vector<Exercise>& exercises) {
     return mark_of(all);
 }
 
-// The folder that the grades go to, and nobody else's as long as this lives.
+// The folder for the grades, locked as long as this lives.
 class Desk {
 public:
     explicit Desk(const fs::path& folder) : folder_(folder) {
@@ -62,7 +62,7 @@ public:
         if (error || !fs::is_directory(folder))
             throw Stop(Status::bad_use, in_one_line(folder.string()) + ": cannot be written" +
                                             (error ? " (" + error.message() + ")" : ""));
-        // One that was killed a moment ago may still be tidying up.
+        // A grading that was killed a moment ago may still be tidying up.
         for (int look = 0; look < 100 && Lock::is_held(folder / "lock"); ++look) usleep(100'000);
         if (Lock::is_held(folder / "lock"))
             throw Stop(Status::bad_use,
@@ -77,7 +77,7 @@ private:
     std::optional<Lock> lock_;
 };
 
-// Outside of what is graded: what lies there is the learners'.
+// It must not be inside the folder that is graded, which is the learners'.
 fs::path desk_for(const Grading& grading) {
     std::error_code ignored;
     const fs::path place = fs::canonical(grading.place, ignored);
@@ -103,18 +103,18 @@ std::vector<Exercise> asked_for(const Grading& grading) {
     return exercises;
 }
 
-// All answers, one row a submission.
+// All answers, one row per submission.
 struct Pile {
     std::vector<Exercise> exercises;
     std::vector<Submission> submissions;
     std::vector<HandedIn> answers;
-    std::vector<std::string> left_out = {};  // of what lies among the submissions, by name
+    std::vector<std::string> left_out = {};  // names of files that are no submission
 
     const Submission& submission(std::size_t i) const { return submissions[i / exercises.size()]; }
     const Exercise& exercise(std::size_t i) const { return exercises[i % exercises.size()]; }
 };
 
-// Without the exercises that nobody has handed in, unless they were asked for.
+// Leaves out the exercises that nobody has handed in, unless they were asked for.
 Pile gather(const Grading& grading) {
     Pile all{asked_for(grading), {}, {}};
     Submissions found = find_submissions(grading.place, all.exercises, grading.one);
@@ -154,7 +154,7 @@ Pile gather(const Grading& grading) {
     return some;
 }
 
-// On a copy: what was handed in is read only once.
+// Checks a copy: a submission is read only once.
 Grade check_one(const Submission& submission, const Exercise& exercise, const std::string& answer, std::uint64_t seed,
                 const Sandbox* sandbox, int patience) {
     Grade grade{submission.name, exercise.name, "course_error", "", seed, 0, true};
@@ -199,7 +199,7 @@ void print(const Pile& pile, const std::vector<Grade>& grades) {
     }
 }
 
-// The whole of what there is to say where there is one answer or a few.
+// All words, for one submission.
 void print_in_full(const std::vector<Grade>& grades) {
     for (const Grade& grade : grades) std::printf("%s\n", grade.says.c_str());
 }
@@ -276,7 +276,7 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
                                               : std::max<std::size_t>(1, std::thread::hardware_concurrency());
     in_parallel(to_do, jobs, work(1), [&](std::size_t i, const Grade& grade) {
         if (!grade.in_time)
-            once_more.push_back(i);  // perhaps it was its neighbours, or the machine is slow
+            once_more.push_back(i);  // its neighbours may have slowed it down, or the machine is slow
         else
             keep(i, grade);
         progress.now("[" + std::to_string(++done) + "/" + std::to_string(to_do.size()) + "] " + grade.submission + " " +
@@ -298,7 +298,7 @@ void grade(const Grading& grading) {
     const Pile pile = gather(grading);
     const Desk desk(desk_for(grading));
     std::error_code ignored;
-    fs::remove(desk / "results.json", ignored);  // what is there at the end is of this run
+    fs::remove(desk / "results.json", ignored);  // if it is there at the end, it is of this run
     std::optional<Sandbox> sandbox;
     if (!grading.trust) sandbox.emplace();
     {
@@ -307,7 +307,7 @@ void grade(const Grading& grading) {
     }
     const fs::path journal_file = desk / "journal.jsonl";
     const std::string mark = edition(pile.exercises) + (grading.trust ? "_trusted" : "");
-    // Drawn anew, so that nobody who knows what was asked before knows what will be.
+    // A new seed each time: the inputs of an earlier grading tell nothing about this one.
     const std::uint64_t seed = grading.seed ? *grading.seed : new_seed();
     Journal journal(journal_file, mark);
     const auto begin = std::chrono::steady_clock::now();

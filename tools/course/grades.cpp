@@ -26,12 +26,12 @@ std::string text_of(const ordered_json& value) {
     return value.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-// UTF-8 with what is none replaced: JSON's writer knows how.
+// Replaces what is not UTF-8; JSON's writer does it.
 std::string clean(const std::string& text) { return ordered_json::parse(text_of(text)).get<std::string>(); }
 
 double thousandths(double seconds) { return std::round(seconds * 1000) / 1000; }
 
-// XML has no way at all to write most control characters, nor U+FFFE and U+FFFF.
+// XML cannot hold most control characters, nor U+FFFE and U+FFFF.
 std::string xml(const std::string& text) {
     std::string out, readable = clean(text);
     for (const char* none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
@@ -51,8 +51,8 @@ std::string xml(const std::string& text) {
     return out;
 }
 
-// A spreadsheet takes what begins so for a formula, which it would obey; and what has the quote that we put before
-// those gets another.
+// A spreadsheet would run text that begins so as a formula: a quote goes before it, and before text that itself begins
+// with that quote.
 std::string csv(const std::string& text) {
     std::string out = text.find_first_of("=+-@'") == 0 ? "\"'" : "\"";
     for (const char c : clean(text)) out += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -71,7 +71,7 @@ std::string as_json(const std::vector<Grade>& grades) {
     return text_of(list);
 }
 
-// A row a submission, a column an exercise: what a spreadsheet or a register of marks takes.
+// One row per submission, one column per exercise, for a spreadsheet.
 std::string as_csv(const std::vector<Exercise>& exercises, const std::vector<Grade>& grades) {
     std::string text = "submission,passed,of";
     for (const Exercise& exercise : exercises) text += "," + exercise.name;
@@ -114,7 +114,7 @@ std::string as_junit(const std::vector<Grade>& grades) {
     return whole.str();
 }
 
-// One point an exercise.
+// One point per exercise.
 std::string as_gradescope(const std::vector<Exercise>& exercises, const std::vector<Grade>& grades) {
     ordered_json tests = ordered_json::array();
     double seconds = 0;
@@ -142,7 +142,7 @@ std::string line_of(const ordered_json& value) {
 
 ordered_json heading(const std::string& edition) { return {{"edition", edition}}; }
 
-// The whole lines of the file; one that was cut off does not count.
+// The whole lines of the file; a line that was cut off does not count.
 std::vector<ordered_json> read_lines(const fs::path& file) {
     std::vector<ordered_json> lines;
     std::ifstream stream(file);
@@ -167,7 +167,7 @@ void write_grades(const fs::path& folder, const std::vector<Exercise>& exercises
     write_whole(folder / "junit.xml", as_junit(grades));
     const bool graded =
         std::none_of(grades.begin(), grades.end(), [](const Grade& grade) { return grade.verdict == "course_error"; });
-    // Where the checker itself has failed there is no mark to be given.
+    // No mark is given if the checker itself failed.
     if (single && graded) write_whole(folder / "results.json", as_gradescope(exercises, grades));
 }
 
@@ -195,7 +195,7 @@ Journal::Journal(const fs::path& file, const std::string& edition) : file_(file)
             known_[key] = grade;
             if (grade.could_not_be_checked()) ++failures_[key];
             text += line_of(line);
-        } catch (const ordered_json::exception&) {  // written by nobody we know
+        } catch (const ordered_json::exception&) {  // not a line of ours
         }
     write_whole(file, text);
     out_ = open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);

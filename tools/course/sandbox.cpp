@@ -18,7 +18,7 @@ void add(Words& words, std::initializer_list<std::string> more) { words.insert(w
 
 void show(Words& words, const fs::path& place) { add(words, {"--ro-bind", place.string(), place.string()}); }
 
-// Where PATH leads; nowhere: "".
+// The program of this name on PATH; "" if there is none.
 std::string find_program(const std::string& name) {
     const char* const path = std::getenv("PATH");
     std::istringstream folders(path ? path : "");
@@ -33,7 +33,7 @@ bool is_below(const fs::path& place, const fs::path& folder) {
     return !fs::relative(place, folder).string().starts_with("..");
 }
 
-// What stands of this course among the system's files, and would be seen with them.
+// The folders of this course below /usr, which would be visible with the system's files.
 std::vector<fs::path> hidden_again() {
     std::vector<fs::path> own;
     for (const fs::path& place : {paths().source, paths().build})
@@ -41,13 +41,13 @@ std::vector<fs::path> hidden_again() {
     return own;
 }
 
-// Behind the last place that is shown: nothing may be written.
+// Nothing may be written; called after the last place is shown.
 void close(Words& words) {
     for (const fs::path& own : hidden_again()) add(words, {"--remount-ro", own.string()});
     add(words, {"--remount-ro", "/"});
 }
 
-// The files and folders that a compiler's words name, as far as they are not the system's.
+// The files and folders that a compiler's words name, without the system's.
 std::vector<fs::path> named_in(const Words& command) {
     std::vector<fs::path> named;
     std::error_code ignored;
@@ -109,9 +109,8 @@ std::string Sandbox::fault_of(std::vector<std::string> before) {
     return outcome.status == 0 ? "" : outcome.said.substr(0, outcome.said.find('\n'));
 }
 
-// An empty file system with the system's programs and libraries. What stands below /usr of this
-// course is hidden again. Nobody is root in it, and all in it ends with bubblewrap, which ends with
-// us.
+// An empty file system with the system's programs and libraries; this course's own folders below /usr are hidden.
+// Nobody is root in it. Everything in it ends with bubblewrap, which ends with us.
 Words Sandbox::walls() const {
     Words words{bubblewrap_};
     add(words, {"--unshare-all", "--unshare-user", "--disable-userns", "--die-with-parent"});

@@ -31,19 +31,19 @@ private:
 
 class Sandbox {
 public:
-    /// Throws Stop(missing) where bubblewrap is not installed, or may not do here what it has to.
+    /// Throws Stop(missing) if bubblewrap is not installed, or may not isolate here.
     Sandbox();
 
-    /// What stands before a compiler's command: it can write in `folder` and nowhere else, and reads
-    /// what its own words name, and the files in `reads`.
+    /// The words to put before a compiler's command. It can write in `folder` only, and read what its own words name
+    /// and the files in `reads`.
     std::vector<std::string> before_compiler(const std::vector<std::string>& command,
                                              const std::filesystem::path& folder,
                                              const std::vector<std::filesystem::path>& reads) const;
 
-    /// What stands before a worker: it can write nowhere.
+    /// The words to put before a worker. It can write nowhere.
     std::vector<std::string> before_worker(const std::filesystem::path& worker) const;
 
-    /// What bubblewrap has to say against these words before a command; "" where they work.
+    /// Bubblewrap's complaint about these words; "" if they work.
     static std::string fault_of(std::vector<std::string> before);
 
 private:

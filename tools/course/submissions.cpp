@@ -51,7 +51,7 @@ bool holds_answers(const fs::path& place, const std::vector<Exercise>& exercises
     return std::any_of(answers.begin(), answers.end(), [](const HandedIn& answer) { return !answer.file.empty(); });
 }
 
-// May it be somebody's, who would be lost where the folder that it is in is taken for one submission?
+// May it be a submission of its own, which would be lost if the folder around it counted as one submission?
 bool may_be_anothers(const fs::path& entry) {
     const std::string name = entry.filename().string();
     if (name.starts_with(".")) return holds_answers(entry, all_exercises());
@@ -62,8 +62,7 @@ bool may_be_anothers(const fs::path& entry) {
     return packed.contains(entry.extension().string()) || (is_source(entry) && !answers_another(entry));
 }
 
-// The names of its folders that hold answers and are no chapters; none where it holds an answer itself: two are a
-// class.
+// Subfolders that hold answers (not chapters); none if the folder holds an answer itself. Two or more mean a class.
 std::vector<std::string> learners_in(const fs::path& folder, const std::vector<Exercise>& exercises) {
     std::vector<std::string> names;
     std::error_code error;
@@ -87,7 +86,7 @@ std::string listed(const std::vector<std::string>& names) {
     return list;
 }
 
-// As it is to be typed.
+// The word as a shell needs it.
 std::string typed(const std::string& word) {
     const bool plain = std::all_of(
         word.begin(), word.end(), [](unsigned char c) { return std::isalnum(c) || std::strchr("_-./", c) != nullptr; });
@@ -116,8 +115,8 @@ Submissions find_submissions(const fs::path& place, const std::vector<Exercise>&
     std::sort(entries.begin(), entries.end());
 
     Submissions found;
-    std::string mark, anothers;       // of one submission; of somebody beside it
-    std::vector<std::string> beside;  // what is left out where it is one
+    std::string mark, anothers;       // a sign of one submission; of another beside it
+    std::vector<std::string> beside;  // left out if it is one submission
     for (const fs::path& entry : entries) {
         const std::string name = entry.filename().string(), written = in_one_line(name);
         if (is_ignored(name)) {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What learners have handed in, whatever it is.
+/// Finding submissions, and the answers in them.
 
 #include <filesystem>
 #include <string>
@@ -24,22 +24,22 @@ struct HandedIn {
     std::string beside = {};     ///< one line where another file of the submission may be meant as the answer
 };
 
-/// What a submission holds: for each exercise what is its answer, and the names of what nothing is taken from.
+/// What a submission holds: the answer to each exercise, and the names of folders and files that are left out.
 struct Answers {
     std::vector<HandedIn> all;
     std::vector<std::string> left_out = {};
 };
 
-/// The submissions in a place, and the names of what there is besides and is none.
+/// The submissions in a folder, and the names of what is left out.
 struct Submissions {
     std::vector<Submission> all;
     std::vector<std::string> left_out = {};
-    bool itself = false;  ///< there is one: the place itself
+    bool itself = false;  ///< there is one submission: the place itself
 };
 
-/// The submissions in `place`: itself, where it is a file, holds answers or a folder `exercises`, else each file
-/// and folder in it; only itself where it is to be `one`. Throws Stop(bad_use) where there is none, and where it may
-/// be one as well as a class.
+/// The submissions in `place`: `place` itself, if it is a file, holds answers or a folder `exercises`, or is `one` by
+/// the caller's word; otherwise each file and folder in it. Throws Stop(bad_use) if there is none, and if `place` may
+/// be one submission as well as a class.
 Submissions find_submissions(const std::filesystem::path& place, const std::vector<Exercise>& exercises, bool one);
 
 /// What a submission holds for each of these exercises: the file exercises/CHAPTER/NAME.cpp anywhere
@@ -53,25 +53,25 @@ Answers collect_answers(const Submission& submission, const std::vector<Exercise
 /// All exercises of the course.
 const std::vector<Exercise>& all_exercises();
 
-/// Is it what versions, file managers and archives leave beside the submissions, and beside each file of a Mac's?
+/// Is it a file or folder that version control, file managers or archives leave behind?
 bool is_ignored(const std::string& name);
 
-/// Is it a part of the whole course, which lies in the same folder?
+/// Is it a part of a whole checkout of the course in the same folder?
 bool is_of_the_course(const std::filesystem::path& entry);
 
 /// Is it a C++ file by its name: .cpp, .cc, .cxx or .c++, in small letters or large?
 bool is_source(const std::filesystem::path& file);
 
-/// Is it named after an exercise, of which we know that it is not the one looked for?
+/// Is it named after an exercise of the course?
 bool answers_another(const std::filesystem::path& file);
 
-/// The text of an answer that is handed in. Throws Stop(bad_use), one line, where it is no file, is
-/// larger than 1 MB, or cannot be read. No link is followed.
+/// The text of an answer. Throws Stop(bad_use), one line, if it is no regular file, is larger than 1 MB, or cannot be
+/// read. Links are not followed.
 std::string text_of(const HandedIn& answer);
 
-/// A name from outside in one line, which every format can hold as it is: two that differ stay different.
-/// A backslash is \\, newline and tab are \n and \t. As \xNN comes each byte of what is obeyed or not seen,
-/// of what is no UTF-8, and of a blank at either end.
+/// A name from outside in one line that every format can hold. Different names stay different: a backslash becomes \\,
+/// newline and tab become \n and \t, and each byte of an invisible character, of what is not UTF-8, and of a blank at
+/// either end becomes \xNN.
 std::string in_one_line(const std::string& name);
 
 }  // namespace course

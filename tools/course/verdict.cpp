@@ -26,7 +26,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// What the build wrote of how to compile and link.
+// How to compile and link, as the build wrote it.
 struct Commands {
     Words compile, bare, sanitize, lists, link;
     std::string check, worker_object, worker_library;
@@ -52,7 +52,7 @@ Commands read_commands(const Exercise& exercise) {
 
 void put_before(Words& words, const Words& others) { words.insert(words.begin(), others.begin(), others.end()); }
 
-// What looks like bubblewrap's words may be the learner's; so it is asked again.
+// These words may be the learner's, so bubblewrap is asked again.
 void stop_if_broken(const Words& around, const std::string& said) {
     if (around.empty() || !said.starts_with("bwrap: ")) return;
     const std::string fault = Sandbox::fault_of(around);
@@ -67,9 +67,8 @@ void stop_if_full(const fs::path& folder) {
     }
 }
 
-// The name of the signal that has ended the compiler or one of its programs, of which the one that
-// starts them tells on a line of its own: "c++: fatal error: Killed signal terminated program
-// cc1plus".
+// The name of the signal that ended the compiler or one of its programs. The driver prints a line about the latter:
+// "c++: fatal error: Killed signal terminated program cc1plus".
 std::string ended_by(const Outcome& outcome) {
     if (outcome.status == 0) return "";
     if (outcome.status > 128) return strsignal(outcome.status - 128);
@@ -85,12 +84,12 @@ std::string ended_by(const Outcome& outcome) {
     return "";
 }
 
-// Runs the compiler; false where it refuses, or has not come to an end.
+// Runs the compiler; false if it refuses or is stopped.
 bool succeeds(const Words& command, const TemporaryFolder& temporary, Verdict& verdict, int patience) {
     const int seconds = paths().compiler_seconds * patience;
     const Outcome outcome = run_within(
         command, {10. * seconds, 4096, 64, 64, temporary.folder().string(), seconds, "Waiting for the compiler"});
-    // The words may be the answer's own: so the disk is asked, too.
+    // The words may be the answer's own, so the disk is tried, too.
     if (outcome.status != 0 && outcome.said.find("No space left on device") != std::string::npos)
         stop_if_full(temporary.folder());
     const std::string signal = ended_by(outcome);
@@ -106,8 +105,7 @@ bool succeeds(const Words& command, const TemporaryFolder& temporary, Verdict& v
     return outcome.status == 0 && !outcome.too_slow;
 }
 
-// The line of the learner's file that the addresses of a crash lead to, the innermost first; 0 if
-// none.
+// The innermost line of the learner's file among the addresses of a crash; 0 if there is none.
 int line_of_crash(const std::string& trace, const Words& around, const fs::path& worker, const fs::path& file) {
     if (trace.empty()) return 0;
     Words command{"addr2line", "-i", "-e", worker.string()};
@@ -120,7 +118,7 @@ int line_of_crash(const std::string& trace, const Words& around, const fs::path&
     return 0;
 }
 
-// What the hidden tests' program has printed: a verdict's kind and what was found. False where it is none.
+// Reads what the hidden tests' program printed: the verdict's kind and its finding. False if it is neither.
 bool read_finding(const std::string& said, Verdict& verdict) {
     const auto json = nlohmann::json::parse(said, nullptr, false);
     if (!json.is_object() || !json.contains("kind")) return false;
@@ -158,8 +156,7 @@ void stop_if_damaged(const Exercise& exercise, const Commands& commands, const S
         throw Damaged(false, own.compiler);
 }
 
-// What the learner's code has printed; nothing where it has put something else in the file's place,
-// of which nobody knows whether it has an end.
+// What the learner's code printed; nothing if it put something else in the file's place, which may be endless.
 std::optional<std::string> printed_in(const fs::path& file) {
     std::error_code error;
     const auto type = fs::symlink_status(file, error).type();
@@ -168,8 +165,8 @@ std::optional<std::string> printed_in(const fs::path& file) {
     return contents(file);
 }
 
-// The learner's code runs beside check, which it may end, or write in its place: what check says
-// counts only where its exit status says the same.
+// The learner's code runs beside the hidden tests' program, and may end it or write in its place: what that program
+// prints counts only if its exit status says the same.
 bool meddled_with(const Outcome& outcome, const std::string& verdict) {
     if (outcome.too_slow) return false;
     if (outcome.status == 128 + SIGKILL || outcome.status == 128 + SIGTERM) return true;
@@ -196,7 +193,7 @@ std::vector<fs::path> parts_of_check(const Exercise& exercise) {
     const Commands commands = read_commands(exercise);
     const char* const header = exercise.eigen ? "exercise_eigen.hpp" : "exercise.hpp";
     const fs::path ready = paths().build / "exercises/ready";
-    const bool gnu = fs::exists(ready / header);  // which clang++ needs no copy of
+    const bool gnu = fs::exists(ready / header);  // clang++ needs no copy of it
     return {commands.check, commands.worker_object, commands.worker_library,
             ready / (header + std::string(gnu ? ".gch" : ".pch"))};
 }
@@ -218,7 +215,7 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     const Commands commands = read_commands(exercise);
     const TemporaryFolder temporary;
     fs::path file = fs::canonical(given);
-    if (sandbox != nullptr) {  // which sees no place of the submission
+    if (sandbox != nullptr) {  // which does not see the submission's folder
         file = temporary.folder() / (exercise.name + ".cpp");
         write_whole(file, answer);
     }
@@ -238,13 +235,13 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
 
     Words compile = sanitizers ? commands.bare : commands.compile, link = commands.link;
     if (exercise.eigen || answer.find("Eigen") != std::string::npos)
-        patience *= 2;              // its solvers take 5 to 9 s, all else some two
-    if (sanitizers) patience *= 3;  // for everything is compiled anew
+        patience *= 2;              // its solvers take 5 to 9 s to compile, everything else about 2 s
+    if (sanitizers) patience *= 3;  // nothing is precompiled
     if (sanitizers)
         for (Words* const words : {&compile, &link})
             words->insert(words->end(), commands.sanitize.begin(), commands.sanitize.end());
     compile = compiling(compile, exercise, file, object);
-    for (std::string word : commands.lists) {  // of what it reads, beside the object
+    for (std::string word : commands.lists) {  // lists what it reads
         replace_all(word, "@", object.string());
         compile.push_back(word);
     }
@@ -265,13 +262,13 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
         return ended("does_not_compile");
     }
 
-    // The learner's code is not to reach our files through /proc: what we print is the verdict.
+    // The learner's code must not reach our files through /proc: what we print is the verdict.
     prctl(PR_SET_DUMPABLE, 0);
     Words check{commands.check, exercise.name, worker.string(), printed.string()};
     if (sanitizers) check.push_back("sanitizers");
     around = sandbox != nullptr ? sandbox->before_worker(worker) : Words{};
     check.insert(check.end(), around.begin(), around.end());
-    // It gives the learner's code its limits itself, and for all calls a few minutes by the clock.
+    // That program limits the learner's code itself, and allows a few minutes by the clock for all calls.
     const Outcome outcome =
         run_within(check, {.seconds = 600, .processor_seconds = 60, .waiting_for = "Waiting for your code to answer"},
                    std::to_string(seed) + "\n");
@@ -292,7 +289,7 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
         verdict.arguments = "(…)";
         return ended("left_early");
     }
-    // They have worked for a minute on what they were given, where a second is long. That is the answer's doing.
+    // The tests worked for a minute on the answer's results, where a second is long. That is the answer's fault.
     if (outcome.status == 128 + SIGXCPU) {
         verdict.detail = too_much_work_for_the_tests;
         verdict.in_time = false;
@@ -317,7 +314,7 @@ Verdict check_sanitized(const Exercise& exercise, const fs::path& file, std::uin
         if (verdict.kind == "crash" && verdict.printed.find(report) != std::string::npos)
             verdict.kind = "too_much_memory";
     if (verdict.kind != "too_slow") return verdict;
-    // Watched, everything takes many times as long. What counts is the check that all others get.
+    // Under sanitizers everything takes many times as long. The usual check counts.
     verdict = check_file(exercise, file, seed);
     if (verdict.kind == "pass")
         verdict.remark = "The answer is right, but too slow to be watched: not all of it has been.";

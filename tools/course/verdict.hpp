@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// From a learner's file to a verdict: compile it, link it with its worker, let the hidden tests
-/// call it.
+/// From a learner's file to a verdict: compile it, link it with its worker, and let the hidden tests call it.
 
 #include <cstdint>
 #include <filesystem>
@@ -21,14 +20,14 @@ struct Verdict : checker::Finding {
     std::string compiler;  ///< what the compiler said, warnings included
     std::string printed;   ///< what the learner's code printed, or a sanitizer's report
     std::string remark;    ///< on the check itself
-    bool watched = false;  ///< was it asked for what the sanitizers see?
-    bool in_time = true;   ///< false where compiler or answer had not come to an end
+    bool watched = false;  ///< did the sanitizers run?
+    bool in_time = true;   ///< false if the compiler or the answer was stopped
     int line = 0;          ///< of the learner's file where it crashed
     std::uint64_t seed = 0;
     double seconds = 0;  ///< from the file to the verdict
 };
 
-/// The detail of a too_slow where it was not the answer that worked too long.
+/// The detail of a too_slow if the hidden tests, not the answer, worked too long.
 inline constexpr const char* too_much_work_for_the_tests = "the hidden tests";
 
 /// The built files for a check are damaged: the compiler refuses the course's own file, too.
@@ -57,18 +56,18 @@ bool commands_are_whole(const Exercise& exercise);
 
 /// How a file is checked.
 struct Manner {
-    const Sandbox* sandbox = nullptr;  ///< a stranger's file is shut away
+    const Sandbox* sandbox = nullptr;  ///< for a stranger's file
     bool sanitizers = false;
-    int patience = 1;  ///< the compiler has so many times what it has usually
+    int patience = 1;  ///< multiplies the compiler's usual limits
 };
 
-/// Checks `file` as an answer to the exercise, with inputs drawn from `seed`. Throws Stop where
-/// the file cannot be read or the machine is at fault, and Damaged.
+/// Checks `file` as an answer to the exercise, with inputs drawn from `seed`. Throws Stop if the file cannot be read or
+/// the machine is at fault, and Damaged.
 Verdict check_file(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed,
                    const Manner& manner = {});
 
-/// The same with the sanitizers: errors that do not show in the numbers are crashes, and their report is what was
-/// printed. Throws Stop(missing) where the compiler has no sanitizers.
+/// Checks with the sanitizers: errors that do not show in the numbers are crashes, and `printed` is the report. Throws
+/// Stop(missing) if the compiler has no sanitizers.
 Verdict check_sanitized(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed);
 
 }  // namespace course
