@@ -19,16 +19,16 @@ valgrind             have_one valgrind
 '
 # Packages that compile the site's panels for the browser. Without them the panels stand still.
 for_panels='
-clang                    have_wasm
-lld                      have_wasm
-wasi-libc                have_wasm
-libc++-dev-wasm32        have_wasm
-libclang-rt-dev-wasm32   have_wasm
+clang                    have_libcxx include/wasm32-wasi/c++/v1
+lld                      have_libcxx include/wasm32-wasi/c++/v1
+wasi-libc                have_libcxx include/wasm32-wasi/c++/v1
+libc++-dev-wasm32        have_libcxx include/wasm32-wasi/c++/v1
+libclang-rt-dev-wasm32   have_libcxx include/wasm32-wasi/c++/v1
 '
 # Other platforms for tests/same_bits: arm64, Windows, 32 bits, and libc++, which macOS uses.
 platforms='
-libc++-dev                 have_libcxx
-libc++abi-dev              have_libcxx
+libc++-dev                 have_libcxx include/c++/v1
+libc++abi-dev              have_libcxx include/c++/v1
 nodejs                     have_one node nodejs
 g++-aarch64-linux-gnu      have_platform aarch64-linux-gnu-g++ g++-aarch64-linux-gnu
 qemu-user                  have_platform qemu-aarch64 qemu-user
@@ -73,10 +73,11 @@ have_cmake() {
     [ -n "$found" ] && { [ "${found% *}" -gt "$1" ] ||
         { [ "${found% *}" -eq "$1" ] && [ "${found#* }" -ge "$2" ]; }; }
 }
-# libc++ for WebAssembly is in a folder with Clang's version.
-have_wasm() {
+# libc++ is in a folder with Clang's version.
+have_libcxx() {
+    headers=$1
     for place in $places; do
-        set -- "$place"/lib/llvm-*/include/wasm32-wasi/c++/v1
+        set -- "$place"/lib/llvm-*/"$headers"
         [ ! -e "$1" ] || return 0
     done
     return 1
@@ -84,13 +85,6 @@ have_wasm() {
 # A compiler for another processor: only needed on x86-64, and only if the system has such a package.
 have_platform() {
     have_one "$1" || [ "$(uname -m)" != x86_64 ] || [ "$(candidate "$2")" = '(none)' ]
-}
-have_libcxx() {
-    for place in $places; do
-        set -- "$place"/lib/llvm-*/include/c++/v1
-        [ ! -e "$1" ] || return 0
-    done
-    return 1
 }
 have_sanitizers_of() {
     set -- "$("$1" -print-resource-dir 2>/dev/null)"/lib/*/libclang_rt.asan*

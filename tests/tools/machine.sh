@@ -30,46 +30,22 @@ policy) case \$2 in
 madison) echo ' catch2 | 2.13.10-1 | http://mirror.example/debian bookworm/main amd64 Packages' ;;
 esac"
     echo 3.7.1-1 >catch2_version
+    # What each leaves is what tools/set_up.sh looks for.
+    sed -n 's/^\([a-z0-9+.-]*\)  *have_\(one\|file\|platform\) \([^ ]*\).*/\1 \3/p' "$source/tools/set_up.sh" >"$folder/offered"
+    cat >>"$folder/offered" <<'END'
+g++ g++
+catch2 include/catch2/catch_all.hpp
+libsundials-dev include/arkode/arkode_erkstep.h
+libc++-dev lib/llvm-14/include/c++/v1
+libc++abi-dev lib/llvm-14/include/c++/v1
+libc++-dev-wasm32 lib/llvm-14/include/wasm32-wasi/c++/v1
+END
     while read -r package what; do
         case $what in
         */*) echo "mkdir -p '$folder/usr/${what%/*}'; : >'$folder/usr/$what'" ;;
         *) echo ": >'$folder/bin/$what'; chmod +x '$folder/bin/$what'" ;;
         esac >"apt/$package"
-    done <<'END'
-g++ g++
-ninja-build ninja
-gnuplot-nox gnuplot
-doxygen doxygen
-valgrind valgrind
-bubblewrap bwrap
-clang clang++
-chromium chromium
-chromium-driver chromedriver
-poppler-utils pdftotext
-clang-format clang-format
-libeigen3-dev include/eigen3/Eigen/Core
-catch2 include/catch2/catch_all.hpp
-doxygen-awesome-css share/doxygen-awesome-css/doxygen-awesome.css
-libjs-katex share/javascript/katex/katex.min.js
-libjs-lunr share/javascript/lunr/lunr.min.js
-libcli11-dev include/CLI/CLI.hpp
-nlohmann-json3-dev include/nlohmann/json.hpp
-python3-selenium lib/python3/dist-packages/selenium/__init__.py
-libboost-dev include/boost/numeric/odeint.hpp
-libgsl-dev include/gsl/gsl_odeiv2.h
-libsundials-dev include/arkode/arkode_erkstep.h
-libbullet-dev include/bullet/BulletDynamics/Dynamics/btRigidBody.h
-libode-dev include/ode/ode.h
-libc++-dev lib/llvm-14/include/c++/v1
-libc++abi-dev lib/llvm-14/include/c++/v1
-nodejs node
-g++-aarch64-linux-gnu aarch64-linux-gnu-g++
-qemu-user qemu-aarch64
-g++-i686-linux-gnu i686-linux-gnu-g++
-g++-mingw-w64-x86-64-posix x86_64-w64-mingw32-g++-posix
-wine wine
-libc++-dev-wasm32 lib/llvm-14/include/wasm32-wasi/c++/v1
-END
+    done <"$folder/offered"
     echo "printf '#!/bin/sh\necho $folder/usr/clang\n' >'$folder/bin/clang++'
 mkdir -p '$folder/usr/clang/lib/linux'; : >'$folder/usr/clang/lib/linux/libclang_rt.asan-x86_64.a'" >apt/libclang-rt-dev
     echo "cp '$folder/cmake_3.25.1' '$folder/bin/cmake'" >apt/cmake
