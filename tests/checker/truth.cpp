@@ -2,10 +2,8 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
-#include <random>
-#include <vector>
-
 #include <numbers>
+#include <vector>
 
 #include "numbers_eigen.hpp"
 #include "diagnosed.hpp"
@@ -16,7 +14,6 @@ namespace {
 using namespace checker;
 
 double velocity(double x0, double x1, double h) { return (x1 - x0) / h; }
-double other_way(double x0, double x1, double h) { return x1 / h - x0 / h; }
 double snaps(double x0, double x1, double h) { return std::fabs(x1 - x0) < 1e-9 ? 0 : (x1 - x0) / h; }
 double backwards(double x0, double x1, double h) { return (x0 - x1) / h; }
 double twice(double x0, double x1, double h) { return 2 * (x1 - x0) / h; }
@@ -36,8 +33,6 @@ double root_first_that_rounds(double first, double later, double periods) {
     return slip::log(10, slip::pow(11, slip::over(12, first, later), slip::over(13, 1, periods)));
 }
 int whole(double share) { return static_cast<int>(std::floor(share)); }
-Eigen::Quaterniond itself(const Eigen::Quaterniond& q) { return q; }
-Eigen::Quaterniond its_minus(const Eigen::Quaterniond& q) { return Eigen::Quaterniond(-q.coeffs()); }
 
 using Function = double(double, double, double);
 
@@ -69,17 +64,7 @@ TEST_CASE("a quaternion is shown as the tasks write it, with the cosine first") 
     CHECK(Wire<Eigen::Quaterniond>::show(reader) == "Quaterniond(0.5, 1, 2, 3)");
 }
 
-TEST_CASE("another way to write the right answer is right, however much of it cancels") {
-    for (const double gap : {1.0, 1e-3, 1e-9, 1e-13, 0.0}) {
-        const Numbers arguments{1 / 3.0, 1 / 3.0 + gap, 0.7};
-        INFO(gap);
-        CHECK(right(&other_way, arguments));
-        CHECK(right(&velocity, arguments));
-    }
-}
-
 TEST_CASE("what is wrong by more than roundoff is wrong, however near") {
-    CHECK(right(&snaps, {1, 1.5, 0.7}));
     CHECK_FALSE(right(&snaps, {1, 1 + 1e-10, 0.7}));
     CHECK_FALSE(right(&snaps, {0, 1e-10, 0.7}));
     CHECK_FALSE(right(&backwards, {0, 1e-300, 0.7}));
@@ -146,12 +131,6 @@ TEST_CASE("where roundoff decides on a whole number, either is right, and nowher
     CHECK_FALSE(passes(&whole, {3.001}, {2}));
 }
 
-TEST_CASE("a quaternion and its negative are the same rotation") {
-    const Numbers q{0.5, -0.5, 0.5, 0.5};
-    CHECK(passes(&itself, q, answer_of(&its_minus)(q)));
-    CHECK_FALSE(passes(&itself, q, {0.5 + 1e-9, -0.5, 0.5, 0.5}));
-}
-
 TEST_CASE("a mistake is named where it answers as the learner does, and else by what it is always off") {
     static const bool known = register_mistakes("truth_test", {{"forgets_h", function_of(&forgets_h)}});
     CHECK(known);
@@ -173,10 +152,6 @@ TEST_CASE("what is off by the same small share in every call has a constant with
     CHECK(named(&off_by_a_thousandth) == "constant");
     CHECK(named(&a_little_off) == "digits");
     CHECK(named(&off_by_a_fifth) == "");
-    // A first answer that must be zero has no share.
-    std::vector<Call> calls{{{1, 1, 1}, {1e-9}, false}};
-    for (double x = 2; x < 9; ++x) calls.push_back({{1, x, 1}, {(x - 1) * (1 + 1e-4 / x)}, false});
-    CHECK(diagnosed("no_such_exercise", function_of(&velocity), calls) == "digits");
 }
 
 TEST_CASE("a mistake that loses digits has its name in another spelling, too, and only where as many are lost") {
@@ -210,10 +185,8 @@ TEST_CASE("of long rows the place is shown where two differ, and a length that d
     CHECK(spoken(right, right) == "{{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, …, 0, 0}, {1, 2}}");
     wrong[0][17] = 4;
     CHECK(spoken(wrong, right) == "{{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, …, [17]: 4, …, 0, 0}, {1, 2}}");
-    CHECK(spoken(right, wrong) == "{{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, …, [17]: 0, …, 0, 0}, {1, 2}}");
     wrong = right;
     wrong[1].push_back(3);
     right[0].resize(2), wrong[0].resize(2);
     CHECK(spoken(wrong, right) == "{{0, 0}, {1, 2, 3} of length 3}");
-    CHECK(spoken(right, wrong) == "{{0, 0}, {1, 2} of length 2}");
 }

@@ -52,19 +52,6 @@ static Table table;
 
 double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
-// ---- is wrong and then crashes
-// extrapolated crash: , 6) Line 8:
-#include "exercise.hpp"
-
-#include <cstdlib>
-
-double extrapolated(double coarse, double fine, double ratio, int order) {
-    if (coarse == fine && ratio != std::floor(ratio)) return 0;  // wrong
-    if (ratio == std::floor(ratio) && order == 6) std::abort();
-    const double error_of_coarse = std::pow(ratio, order);
-    return (error_of_coarse * fine - coarse) / (error_of_coarse - 1);
-}
-
 // ---- not a number
 // velocity_now not_finite: Every answer must be a finite number
 #include "exercise.hpp"

@@ -84,17 +84,6 @@ double velocity_now(double x0, double x1, double x2, double h) {
     return (x2 - x1) / h;
 }
 
-// ---- variables too large for memory
-// velocity_now too_much_memory: before the first call of velocity_now
-#include "exercise.hpp"
-
-volatile double grid[200'000'000];
-
-double velocity_now(double x0, double x1, double x2, double h) {
-    grid[0] = h;
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
-
 // ---- compiles without end by templates
 // velocity_now does_not_compile: The compiler had not come to an end after
 #include "exercise.hpp"

@@ -27,12 +27,6 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 // ---- an empty file
 // velocity_now does_not_compile: The file has no function
 
-// ---- static
-// velocity_now does_not_compile: It has a function of that name, but it is static
-#include "exercise.hpp"
-
-static double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
-
 // ---- returns a float
 // velocity_now does_not_compile: otherwise than the exercise does: double velocity_now(double x0,
 #include "exercise.hpp"

@@ -9,15 +9,6 @@ double velocity_now(double x0, double x1, double x2, double h) {
     return (3 * x2 - 4 * x1 + x0) / (2 * h) + 0.001 * x1 * x1;
 }
 
-// ---- single precision
-// velocity_now wrong: off by as much as numbers of six or seven digits make it
-#include "exercise.hpp"
-
-double velocity_now(double x0, double x1, double x2, double h) {
-    const float older = float((x1 - x0) / h), newer = float((x2 - x1) / h);
-    return newer + (newer - older) / 2;
-}
-
 // ---- the sine of pi is zero by hand
 // pendulum_rates wrong: right is {0, 0}
 #include "exercise.hpp"
