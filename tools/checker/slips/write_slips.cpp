@@ -7,93 +7,34 @@
 // with the words "[no slips]" is left out: for what this cannot read.
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <fstream>
-#include <initializer_list>
 #include <iterator>
 #include <map>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "code.hpp"
+#include "variables.hpp"
 
 namespace {
 
-struct Token {
-    std::string text;
-    bool blank = false;  // before it
-    std::string before, after;
-};
-
-using Words = std::set<std::string>;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
-bool is_name(const std::string& text) { return !text.empty() && is_letter(text[0]); }
-bool is_number(const std::string& text) { return !text.empty() && is_digit(text[0]); }
-bool opens(const std::string& text) { return text == "(" || text == "[" || text == "{"; }
-bool closes(const std::string& text) { return text == ")" || text == "]" || text == "}"; }
-bool assigns(const std::string& text) {
-    static const Words words{"=", "+=", "-=", "*=", "/=", "|=", "++", "--"};
-    return words.count(text) > 0;
-}
-
-std::vector<Token> tokens_of(const std::string& code) {
-    static const Words pairs{"::", "->", "<=", ">=", "==", "!=", "&&", "||",
-                             "++", "--", "+=", "-=", "*=", "/=", "|=", "%="};
-    std::vector<Token> tokens;
-    bool blank = false;
-    for (std::size_t i = 0; i < code.size();) {
-        const auto at = [&](std::size_t j) { return j < code.size() ? code[j] : '\0'; };
-        if (std::isspace(static_cast<unsigned char>(code[i]))) {
-            blank = true, ++i;
-            continue;
-        }
-        if (at(i) == '#' || (at(i) == '/' && at(i + 1) == '/')) {
-            while (i < code.size() && code[i] != '\n') ++i;
-            continue;
-        }
-        std::size_t end = i + 1;
-        const auto in_word = [&](std::size_t j) { return is_letter(at(j)) || is_digit(at(j)); };
-        if (in_word(i)) {
-            const auto in_number = [&](std::size_t j) {
-                return at(j) == '.' || at(j) == '\'' || ((at(j) == '-' || at(j) == '+') && at(j - 1) == 'e');
-            };
-            while (in_word(end) || (is_digit(code[i]) && in_number(end))) ++end;
-        } else if (pairs.count(code.substr(i, 2))) {
-            end = i + 2;
-        }
-        tokens.push_back({code.substr(i, end - i), blank, "", ""});
-        blank = false;
-        i = end;
-    }
-    return tokens;
-}
-
-struct Variable {
-    std::string name, type;
-    std::size_t from, to;  // where it can be used
-    bool bound;            // by a structured binding: no lambda has it
-};
-
-class Rewriter {
+class Rewriter : private Code {
 public:
     Rewriter(std::string name, std::vector<Token> tokens, int& site)
-        : name_(std::move(name)), t_(std::move(tokens)), site_(site) {
-        t_.push_back({});  // so that there is always a next one
-        t_.push_back({});
-        t_.push_back({});
-        match();
-    }
+        : Code(std::move(tokens)), name_(std::move(name)), site_(site) {}
 
     std::string rewritten() {
-        for (std::size_t i = 0; i + 3 < t_.size(); ++i)
-            if (depth_[i] == 0 && text(i) == "{" && i > 0 && text(i - 1) == ")") function(other_[i - 1], i);
+        for (std::size_t i = 1; i < size(); ++i) {
+            if (text(i) != "{") continue;
+            if (text(i - 1) == ")") function(other(i - 1), i);
+            i = other(i);
+        }
         std::string code;
-        for (const Token& token : t_) {
-            if (token.blank) code += ' ';
-            code += token.before + token.text + token.after;
-            if (token.text == ";" || token.text == "{" || token.text == "}") code += '\n';
+        for (std::size_t i = 0; i < size(); ++i) {
+            code += rendered(i, i + 1);
+            if (text(i) == ";" || text(i) == "{" || text(i) == "}") code += '\n';
         }
         return code;
     }
@@ -103,10 +44,10 @@ public:
         static const Words words{"sort",      "inverse", "colPivHouseholderQr", "fullPivLu", "eigenvalues",
                                  "remainder", "pair"};
         bool seen = false;
-        for (std::size_t i = 0; i + 3 < t_.size(); ++i) {
+        for (std::size_t i = 0; i < size(); ++i) {
             if (words.count(text(i))) return true;
             if (text(i) == name_ && seen) return true;  // it calls itself
-            if (text(i) == "*" && !t_[i].blank && is_name(text(i - 1)) && t_[i + 1].blank)
+            if (text(i) == "*" && !blank(i) && is_name(text(i - 1)) && blank(i + 1))
                 return true;                                                                    // pointers know no end
             if (text(i) == "begin" && (text(i + 3) == "+" || text(i + 3) == "-")) return true;  // nor do these
             seen |= text(i) == name_;
@@ -115,88 +56,18 @@ public:
     }
 
 private:
-    const std::string& text(std::size_t i) const { return t_[i].text; }
-    bool operand_before(std::size_t i) const {
-        if (i == 0) return false;
-        const std::string& last = text(i - 1);
-        if ((last == "--" || last == "++") && i > 1) return is_name(text(i - 2));
-        return last != "return" && (is_name(last) || is_number(last) || last == ")" || last == "]");
-    }
-    // Do these tokens stand there?
-    bool stands(std::size_t i, std::initializer_list<const char*> tokens) const {
-        for (const char* each : tokens)
-            if (i >= t_.size() || text(i++) != each) return false;
-        return true;
-    }
-    void replace(std::size_t i, std::size_t count, const std::string& by) {
-        for (std::size_t j = i; j < i + count; ++j) t_[j].text.clear();
-        t_[i].text = by;
-    }
-    bool between_blanks(std::size_t i) const { return t_[i].blank && t_[i + 1].blank; }
     std::string next() { return std::to_string(site_++); }
-    void wrap(std::size_t first, std::size_t last, const std::string& before, const std::string& after) {
-        t_[first].before = before + t_[first].before;
-        t_[last].after += after;
-    }
-
-    // The other bracket of each, and how many braces stand round it.
-    void match() {
-        other_.assign(t_.size(), 0);
-        depth_.assign(t_.size(), 0);
-        std::vector<std::size_t> open;
-        int depth = 0;
-        for (std::size_t i = 0; i < t_.size(); ++i) {
-            const std::string& it = text(i);
-            if (it == "}") --depth;
-            depth_[i] = depth;
-            if (opens(it)) open.push_back(i);
-            if (closes(it) && !open.empty()) {
-                other_[i] = open.back();
-                other_[open.back()] = i;
-                open.pop_back();
-            }
-            if (it == "{") ++depth;
-        }
-    }
-
-    // The next of `ends` from i on, outside of brackets; or the bracket that closes round i.
-    std::size_t until(std::size_t i, const Words& ends) const {
-        for (; i + 3 < t_.size(); ++i) {
-            const std::string& it = text(i);
-            if (ends.count(it) || closes(it)) return i;
-            if (opens(it)) i = other_[i];
-        }
-        return i;
-    }
-
-    bool is_type(std::size_t i) const {
-        static const Words types{"double", "int", "Vector3d", "Matrix3d", "Quaterniond"};
-        return types.count(text(i)) && text(i - 1) != "<" && text(i + 1) != ">" && text(i + 1) != ",";
-    }
-    bool is_state(std::size_t i) const { return stands(i, {"State", "<", "double"}); }
 
     void function(std::size_t open, std::size_t body) {
-        begin_ = body, end_ = other_[body];
-        find_lambdas();
-        find_variables(open);
-        const bool is_answer = text(open - 1) == name_;
+        begin_ = body, end_ = other(body);
+        const Variables variables(*this, open, body);
         std::string entry;
-        if (is_answer) {
-            for (std::size_t i = open; i < other_[open]; ++i)  // its own, to exchange
-                if ((text(i) == "const" || text(i) == "&")) t_[i].text.clear();
-            const auto exchange = [&](const std::string& a, const std::string& b) {
-                entry += " slip::exchange(" + next() + ", " + a + ", " + b + ");";
-            };
-            for (std::size_t a = 0; a < arguments_; ++a)
-                for (std::size_t b = a + 1; b < arguments_; ++b)
-                    if (variables_[a].type == variables_[b].type) exchange(variables_[a].name, variables_[b].name);
-            for (std::size_t a = 0; a < arguments_; ++a) {
-                const auto& [name, type, from, to, bound] = variables_[a];
-                if (type == "double") entry += " slip::given(" + next() + ", " + name + ");";
-                if (type == "State") exchange(name + ".x", name + ".v");
-            }
+        if (text(open - 1) == name_) {                        // the answer itself, not a helper
+            for (std::size_t i = open; i < other(open); ++i)  // its own, to exchange
+                if (text(i) == "const" || text(i) == "&") set(i, "");
+            entry = slips_of_arguments(variables);
         }
-        picks();
+        picks(variables);
         operators();  // before anything else is taken for another word
         subscripts();
         methods();
@@ -206,135 +77,65 @@ private:
         conditions();
         loops();
         lines();
-        t_[body].after += entry;
+        add_after(body, entry);
     }
 
-    void find_lambdas() {
-        lambdas_.clear();
-        for (std::size_t i = begin_; i < end_; ++i) {
-            if (text(i) != "[" || operand_before(i) || text(i - 1) == "auto") continue;
-            const std::size_t close = other_[i];
-            std::size_t body = other_[close + 1];
-            while (text(body) != "{") ++body;
-            lambdas_.push_back({close + 1, body, close > i + 1});
-            for (std::size_t j = close + 2; j < other_[close + 1]; ++j)  // an argument that it changes is what it is
-                if (text(j) == "&" && text(j - 2) != "const" && text(i - 1) == "=") changing_.insert(text(i - 2));
+    std::string slips_of_arguments(const Variables& variables) {
+        std::string entry;
+        const auto exchange = [&](const std::string& a, const std::string& b) {
+            entry += " slip::exchange(" + next() + ", " + a + ", " + b + ");";
+        };
+        const std::vector<Variable>& all = variables.all();
+        for (std::size_t a = 0; a < variables.arguments(); ++a)
+            for (std::size_t b = a + 1; b < variables.arguments(); ++b)
+                if (all[a].type == all[b].type) exchange(all[a].name, all[b].name);
+        for (std::size_t a = 0; a < variables.arguments(); ++a) {
+            if (all[a].type == "double") entry += " slip::given(" + next() + ", " + all[a].name + ");";
+            if (all[a].type == "State") exchange(all[a].name + ".x", all[a].name + ".v");
         }
+        return entry;
     }
 
-    void find_variables(std::size_t open) {
-        variables_.clear();
-        for (std::size_t i = open + 1; i < other_[open]; ++i)
-            if (text(i + 1) == "," || text(i + 1) == ")") {
-                std::size_t type = i - 1;
-                if (text(type) == "&") --type;
-                const bool state = text(type) == ">" && is_state(type - 3);
-                if (is_name(text(i)) && (state || is_type(type)))
-                    variables_.push_back({text(i), state ? "State" : text(type), begin_, end_, false});
-            }
-        arguments_ = variables_.size();
+    // A variable, or a part of one, may be taken for another of its type.
+    void picks(const Variables& variables) {
+        static const Words not_behind{".", "->", "::", "++", "--", "&", ">"}, not_before{"(", "[", "{", "::"};
+        static const std::vector<std::string> parts{"x", "y", "z"}, of_state{"x", "v"};
         for (std::size_t i = begin_; i < end_; ++i) {
-            if (!is_type(i) && text(i) != "auto" && !is_state(i)) continue;
-            std::size_t name = i + (is_state(i) ? 4 : 1);
-            if (text(name) == "&") ++name;
-            const std::size_t scope = scope_of(i);
-            if (text(i) == "auto" && text(name) == "[") {
-                for (std::size_t j = name + 1; j < other_[name]; ++j)
-                    if (is_name(text(j)))
-                        variables_.push_back({text(j), "double", until(name, {";"}), other_[scope], true});
+            const std::string& following = text(i + 1);
+            if (!is_name(text(i)) || variables.declares(i) || not_behind.count(text(i - 1)) ||
+                not_before.count(following) || assigns(following))
                 continue;
-            }
-            if (text(i) == "auto" || !is_name(text(name))) continue;
-            const std::string type = is_state(i) ? "State" : text(i);
-            if (text(scope) == "{") {
-                const std::size_t end = until(name, {";"});
-                if (text(name + 1) != "=") continue;
-                while (name < end) {
-                    variables_.push_back({text(name), type, end, other_[scope], false});
-                    declared_.insert(name);
-                    name = until(name, {",", ";"});
-                    if (text(name) == ",") ++name;
-                }
-            } else {
-                declared_.insert(name);
-                for (const Lambda& lambda : lambdas_)
-                    if (lambda.open == scope)
-                        variables_.push_back({text(name), type, lambda.body, other_[lambda.body], false});
-            }
-        }
-    }
-    // The bracket that opens round it.
-    std::size_t scope_of(std::size_t i) const {
-        while (i > begin_ && !opens(text(--i)))
-            if (closes(text(i))) i = other_[i];
-        return i;
-    }
-
-    bool is_visible(const Variable& variable, std::size_t i) const {
-        if (i <= variable.from || i >= variable.to) return false;
-        for (const Lambda& lambda : lambdas_)
-            if (i > lambda.body && i < other_[lambda.body] && variable.from < lambda.body &&
-                (!lambda.captures || variable.bound))
-                return false;
-        return true;
-    }
-    // The innermost variable of that name.
-    const Variable* variable_named(const std::string& name, std::size_t i) const {
-        const Variable* found = nullptr;
-        for (const Variable& each : variables_)
-            if (each.name == name && is_visible(each, i)) found = &each;
-        return found;
-    }
-
-    void picks() {
-        for (std::size_t i = begin_; i < end_; ++i) {
-            if (!is_name(text(i)) || declared_.count(i)) continue;
-            const std::string last = text(i - 1), following = text(i + 1);
-            static const Words not_behind{".", "->", "::", "++", "--", "&", ">"}, not_before{"(", "[", "{", "::"};
-            if (not_behind.count(last) || not_before.count(following) || assigns(following)) continue;
-            const Variable* variable = variable_named(text(i), i);
-            if (!variable || scope_is_capture(i) || changing_.count(text(scope_of(i) - 1))) continue;
+            const Variable* variable = variables.find(text(i), i);
+            const std::size_t scope = scope_of(i);
+            const bool is_capture = text(scope) == "[" && !operand_before(scope);
+            if (!variable || is_capture || variables.changes_argument(text(scope - 1))) continue;
+            const bool is_state = variable->type == "State";
             std::size_t end = i;
-            std::string type = variable->type, tail;
+            std::string type = variable->type, part;
             if (following == ".") {
-                const std::string member = text(i + 2);
-                if (type == "State") {
-                    end = i + 2, type = "double", tail = "." + member;
-                } else if (type == "Vector3d" && (member == "x" || member == "y" || member == "z")) {
-                    end = i + 4, type = "double", tail = "." + member + "()";
-                }
+                if (is_state)
+                    end = i + 2, type = "double", part = text(i + 2);
+                else if (type == "Vector3d" && std::count(parts.begin(), parts.end(), text(i + 2)))
+                    end = i + 4, type = "double", part = text(i + 2);
                 const std::size_t behind = until(i, {"=", ";", ",", "+=", "-="});
                 if (assigns(text(end + 1)) || (end == i && text(behind) == "=")) continue;
-            } else if (type == "State") {
+            } else if (is_state) {
                 continue;
             }
-            const std::size_t closes = until(end + 1, {});
-            if (text(closes) == ")" && text(closes + 1) == "=") continue;  // (a ? b : c) = …
-            std::string others;
-            int count = 0;
-            const auto add = [&](const std::string& other) {
-                if (count < 6) others += ", " + other, ++count;
-            };
-            if (!tail.empty())
-                for (const char* each : {"x", "y", "z", "v"}) {
-                    const bool state = variable->type == "State";
-                    const std::string other = std::string(".") + each + (state ? "" : "()");
-                    if (other != tail && (state ? *each == 'x' || *each == 'v' : *each != 'v'))
-                        add(variable->name + other);
-                }
+            if (stands(until(end + 1, {}), {")", "="})) continue;  // (a ? b : c) = …
+            std::vector<std::string> others;
+            if (!part.empty())
+                for (const std::string& other : is_state ? of_state : parts)
+                    if (other != part) others.push_back(variable->name + "." + other + (is_state ? "" : "()"));
             // The nearest first: what is taken for another is most often that.
-            for (std::size_t v = variables_.size(); v-- > 0;) {
-                const Variable& each = variables_[v];
-                if (each.name != variable->name && each.type == type && variable_named(each.name, i) == &each)
-                    add(each.name);
-            }
-            if (count > 0) wrap(i, end, "slip::pick(" + next() + ", ", others + ")");
+            for (auto each = variables.all().rbegin(); each != variables.all().rend(); ++each)
+                if (each->name != variable->name && each->type == type && variables.find(each->name, i) == &*each)
+                    others.push_back(each->name);
+            std::string list;
+            for (std::size_t k = 0; k < std::min<std::size_t>(others.size(), 6); ++k) list += ", " + others[k];
+            if (!list.empty()) wrap(i, end, "slip::pick(" + next() + ", ", list + ")");
             i = end;
         }
-    }
-    bool scope_is_capture(std::size_t i) const {
-        const std::size_t open = scope_of(i);
-        return text(open) == "[" && !operand_before(open);
     }
 
     // What is asked for its elements, or its last one.
@@ -345,7 +146,7 @@ private:
                 continue;
             const bool end =
                 text(i + 1) == "." && (text(i + 2) == "back" || text(i + 2) == "front") && text(i + 3) == "(";
-            if (end || (text(i + 1) == "[" && !t_[i + 1].blank)) t_[i].text = "slip::in(" + text(i) + ")";
+            if (end || (text(i + 1) == "[" && !blank(i + 1))) set(i, "slip::in(" + text(i) + ")");
         }
     }
 
@@ -354,7 +155,7 @@ private:
         for (;;) {
             --i;
             if (text(i) == ")" || text(i) == "]") {
-                i = other_[i];
+                i = other(i);
                 if (is_name(text(i - 1)) || text(i - 1) == ")" || text(i - 1) == "]") continue;
                 return i;
             }
@@ -381,8 +182,8 @@ private:
             if (stands(i, {"std", "::", "numbers", "::", "pi"})) {
                 replace(i, 5, "slip::pi()");
             } else if (text(i) == "std" && known.count(text(i + 2)) && text(i + 3) == "(") {
-                t_[i].text = "slip";
-                t_[i + 3].after += next() + ", ";
+                set(i, "slip");
+                add_after(i + 3, next() + ", ");
             } else if (text(i) == "AngleAxisd" && (text(i + 1) == "(" || text(i + 2) == "(")) {
                 const std::size_t open = text(i + 1) == "(" ? i + 1 : i + 2, comma = until(open + 1, {","});
                 if (text(comma) == ",") wrap(open + 1, comma - 1, "slip::angle(", ")");
@@ -397,10 +198,10 @@ private:
         for (std::size_t i = begin_; i < end_; ++i) {
             const auto name = names.find(text(i));
             if (name == names.end()) continue;
-            if (between_blanks(i) && operand_before(i)) {
-                t_[i].text += " slip::" + name->second + "{" + next() + "} " + text(i);
+            if (blank(i) && blank(i + 1) && operand_before(i)) {
+                set(i, text(i) + " slip::" + name->second + "{" + next() + "} " + text(i));
             } else if (text(i) == "-" && !operand_before(i) && !is_number(text(i + 1))) {
-                t_[i].text = "slip::Negative{" + next() + "}->*";
+                set(i, "slip::Negative{" + next() + "}->*");
             }
         }
     }
@@ -432,17 +233,10 @@ private:
         // All of it once more, with the other word between its parts.
         const auto is_joined = [&](std::size_t i) { return text(i) == joined; };
         if (joints.empty() || !std::all_of(joints.begin(), joints.end(), is_joined)) return;
-        for (const std::size_t i : joints) t_[i].text = joined == "&&" ? "||" : "&&";
+        for (const std::size_t i : joints) set(i, joined == "&&" ? "||" : "&&");
         const std::string other = rendered(first, end);
-        for (const std::size_t i : joints) t_[i].text = joined;
+        for (const std::size_t i : joints) set(i, joined);
         wrap(first, end - 1, "(slip::joined(" + next() + ") ? bool(" + other + ") : bool(", "))");
-    }
-
-    std::string rendered(std::size_t first, std::size_t end) const {
-        std::string code;
-        for (std::size_t i = first; i < end; ++i)
-            code += (t_[i].blank ? " " : "") + t_[i].before + t_[i].text + t_[i].after;
-        return code;
     }
 
     // An expression once more, without the brackets of a sum in it that is multiplied or divided. Of numbers alone:
@@ -457,12 +251,12 @@ private:
         std::map<std::size_t, std::size_t> ends;
         for (std::size_t i = begin_; i < end_; ++i) {
             if (text(i) != "(" || operand_before(i) || text(i - 1) == "]") continue;
-            const std::size_t open = i, close = other_[open];
+            const std::size_t open = i, close = other(open);
             const auto multiplies = [&](std::size_t j) { return is_operator(j, '*') || is_operator(j, '/'); };
             if (!multiplies(open - 1) && !multiplies(close + 1)) continue;
             bool is_sum = false;
             for (std::size_t j = open + 1; j < close; ++j) {
-                if (opens(text(j))) j = other_[j];
+                if (opens(text(j))) j = other(j);
                 is_sum |= is_operator(j, '+') || is_operator(j, '-');
                 if (delimiters.count(text(j)) && text(j) != "]") {
                     is_sum = false;
@@ -473,13 +267,13 @@ private:
             std::size_t first = open;
             while (first > begin_ + 1 && !delimiters.count(text(first - 1))) {
                 --first;
-                if (text(first) == ")" || text(first) == "]") first = other_[first];
+                if (text(first) == ")" || text(first) == "]") first = other(first);
             }
             const std::size_t end = until(open, {",", ";", "?", ":", "<", ">", "<=", ">=", "==", "!=", "&&", "||"});
-            t_[open].text = " ", t_[close].text = " ";
+            set(open, " "), set(close, " ");
             if (others[first].size() < 3)
                 others[first].push_back("(slip::unbracketed(" + next() + ") ? " + rendered(first, end) + " : ");
-            t_[open].text = "(", t_[close].text = ")";
+            set(open, "("), set(close, ")");
             ends[first] = end;
         }
         for (const auto& [first, all] : others) {
@@ -494,16 +288,16 @@ private:
     }
     void conditions() {
         for (std::size_t i = begin_; i < end_; ++i) {
-            if (text(i) == "if" && text(i + 1) == "(") parts_of(i + 2, other_[i + 1], true);
+            if (text(i) == "if" && text(i + 1) == "(") parts_of(i + 2, other(i + 1), true);
             if (text(i) == "return") parts_of(i + 1, until(i + 1, {";"}), false);
         }
     }
 
     void loops() {
         for (std::size_t i = begin_; i < end_; ++i) {
-            if (text(i) == "while" && text(i + 1) == "(") wrap(i + 2, other_[i + 1] - 1, "slip::turn() && (", ")");
+            if (text(i) == "while" && text(i + 1) == "(") wrap(i + 2, other(i + 1) - 1, "slip::turn() && (", ")");
             if (text(i) != "for") continue;
-            const std::size_t close = other_[i + 1], first = until(i + 2, {";", ":"});
+            const std::size_t close = other(i + 1), first = until(i + 2, {";", ":"});
             if (text(first) == ":") {
                 if (first + 2 == close && is_name(text(first + 1)))
                     wrap(first + 1, first + 1, "slip::part(" + next() + ", ", ")");
@@ -515,7 +309,7 @@ private:
                     wrap(equals + 1, first - 1, (down ? "slip::down_from(" : "slip::from(") + next() + ", ", ")");
                 const std::size_t second = until(first + 1, {";"});
                 if (second == first + 1)
-                    t_[second].after += second + 1 == close ? " slip::turn()" : " slip::turn(), ";
+                    add_after(second, second + 1 == close ? " slip::turn()" : " slip::turn(), ");
                 else
                     wrap(first + 1, second - 1, "slip::turn() && (", ")");
             }
@@ -532,13 +326,13 @@ private:
             if (!ends.count(last)) continue;
             if (!is_name(text(i)) || words.count(text(i)) || is_type(i) || is_state(i) || text(scope_of(i)) != "{")
                 continue;
-            if (last == ")" && text(other_[i - 1] - 1) != "for") continue;
+            if (last == ")" && text(other(i - 1) - 1) != "for") continue;
             if (last == "{" && text(i - 2) != ")" && text(i - 2) != ";" && i - 1 != begin_)
                 continue;  // the values of something
             const std::size_t end = until(i, {";", "+=", "-=", "*=", "/=", "|=", "++", "--"});
             if (text(end) != ";") continue;
             const std::size_t equals = until(i, {"=", ";"});
-            const bool calls = text(i + 1) == "(" && other_[i + 1] + 1 == end;
+            const bool calls = text(i + 1) == "(" && other(i + 1) + 1 == end;
             if (text(equals) != "=" && !calls) continue;
             if (text(equals) == "=" && is_name(text(equals - 1)) && is_name(text(equals - 2)))
                 continue;  // of a type of its own
@@ -546,20 +340,9 @@ private:
         }
     }
 
-    struct Lambda {
-        std::size_t open, body;
-        bool captures;
-    };
     std::string name_;
-    std::vector<Token> t_;
     int& site_;
-    std::vector<std::size_t> other_;
-    std::vector<int> depth_;
-    std::size_t begin_ = 0, end_ = 0, arguments_ = 0;
-    std::vector<Lambda> lambdas_;
-    std::vector<Variable> variables_;
-    std::set<std::size_t> declared_;
-    std::set<std::string> changing_;
+    std::size_t begin_ = 0, end_ = 0;  // of the function in hand
 };
 
 std::string contents(const char* file) {
