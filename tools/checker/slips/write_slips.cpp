@@ -141,12 +141,9 @@ private:
     // What is asked for its elements, or its last one.
     void subscripts() {
         for (std::size_t i = begin_; i < end_; ++i) {
-            if (!is_name(text(i)) || text(i - 1) == "." || text(i - 1) == "::" || text(i) == "auto" ||
-                text(i) == "return")
-                continue;
-            const bool end =
-                text(i + 1) == "." && (text(i + 2) == "back" || text(i + 2) == "front") && text(i + 3) == "(";
-            if (end || (text(i + 1) == "[" && !blank(i + 1))) set(i, "slip::in(" + text(i) + ")");
+            if (!is_name(text(i)) || text(i - 1) == "." || text(i - 1) == "::") continue;
+            const bool is_end = stands(i + 1, {".", "back", "("}) || stands(i + 1, {".", "front", "("});
+            if (is_end || (text(i + 1) == "[" && !blank(i + 1))) set(i, "slip::in(" + text(i) + ")");
         }
     }
 
@@ -247,45 +244,44 @@ private:
         static const Words no_numbers{"Vector3d", "Matrix3d", "Quaterniond", "complex"};
         for (std::size_t i = begin_; i < end_; ++i)
             if (no_numbers.count(text(i))) return;
-        std::map<std::size_t, std::vector<std::string>> others;  // of the expressions that begin there
-        std::map<std::size_t, std::size_t> ends;
-        for (std::size_t i = begin_; i < end_; ++i) {
-            if (text(i) != "(" || operand_before(i) || text(i - 1) == "]") continue;
-            const std::size_t open = i, close = other(open);
+        struct Whole {
+            std::size_t end;
+            std::vector<std::string> others;
+        };
+        std::map<std::size_t, Whole> wholes;  // the expressions that begin there
+        for (std::size_t open = begin_; open < end_; ++open) {
+            if (text(open) != "(" || operand_before(open) || text(open - 1) == "]") continue;
+            const std::size_t close = other(open);
             const auto multiplies = [&](std::size_t j) { return is_operator(j, '*') || is_operator(j, '/'); };
             if (!multiplies(open - 1) && !multiplies(close + 1)) continue;
-            bool is_sum = false;
+            bool is_sum = false, is_more = false;
             for (std::size_t j = open + 1; j < close; ++j) {
                 if (opens(text(j))) j = other(j);
                 is_sum |= is_operator(j, '+') || is_operator(j, '-');
-                if (delimiters.count(text(j)) && text(j) != "]") {
-                    is_sum = false;
-                    break;
-                }
+                is_more |= delimiters.count(text(j)) && text(j) != "]";
             }
-            if (!is_sum) continue;
+            if (!is_sum || is_more) continue;
             std::size_t first = open;
             while (first > begin_ + 1 && !delimiters.count(text(first - 1))) {
                 --first;
                 if (text(first) == ")" || text(first) == "]") first = other(first);
             }
-            const std::size_t end = until(open, {",", ";", "?", ":", "<", ">", "<=", ">=", "==", "!=", "&&", "||"});
+            Whole& whole = wholes[first];
+            whole.end = until(open, {",", ";", "?", ":", "<", ">", "<=", ">=", "==", "!=", "&&", "||"});
+            if (whole.others.size() == 3) continue;
             set(open, " "), set(close, " ");
-            if (others[first].size() < 3)
-                others[first].push_back("(slip::unbracketed(" + next() + ") ? " + rendered(first, end) + " : ");
+            whole.others.push_back("(slip::unbracketed(" + next() + ") ? " + rendered(first, whole.end) + " : ");
             set(open, "("), set(close, ")");
-            ends[first] = end;
         }
-        for (const auto& [first, all] : others) {
-            std::string before, after;
-            for (const std::string& other : all) before += other, after += ")";
-            wrap(first, ends[first] - 1, before + "(", ")" + after);
+        for (const auto& [first, whole] : wholes) {
+            std::string before;
+            for (const std::string& other : whole.others) before += other;
+            wrap(first, whole.end - 1, before + "(", ")" + std::string(whole.others.size(), ')'));
         }
     }
     // As operators() has written it.
-    bool is_operator(std::size_t i, char which) const {
-        return text(i).size() > 1 && text(i)[0] == which && text(i).compare(1, 7, " slip::") == 0;
-    }
+    bool is_operator(std::size_t i, char which) const { return text(i).rfind(which + std::string(" slip::"), 0) == 0; }
+
     void conditions() {
         for (std::size_t i = begin_; i < end_; ++i) {
             if (text(i) == "if" && text(i + 1) == "(") parts_of(i + 2, other(i + 1), true);
@@ -295,7 +291,7 @@ private:
 
     void loops() {
         for (std::size_t i = begin_; i < end_; ++i) {
-            if (text(i) == "while" && text(i + 1) == "(") wrap(i + 2, other(i + 1) - 1, "slip::turn() && (", ")");
+            if (text(i) == "while") wrap(i + 2, other(i + 1) - 1, "slip::turn() && (", ")");
             if (text(i) != "for") continue;
             const std::size_t close = other(i + 1), first = until(i + 2, {";", ":"});
             if (text(first) == ":") {
@@ -320,11 +316,11 @@ private:
     void lines() {
         static const Words words{"return",   "if",    "for",    "while", "else",  "break",
                                  "continue", "const", "static", "auto",  "using", "std"};
+        static const Words ends{";", "{", "}", ")"};
         for (std::size_t i = begin_ + 1; i < end_; ++i) {
-            static const Words ends{";", "{", "}", ")"};
             const std::string& last = text(i - 1);
-            if (!ends.count(last)) continue;
-            if (!is_name(text(i)) || words.count(text(i)) || is_type(i) || is_state(i) || text(scope_of(i)) != "{")
+            if (!ends.count(last) || !is_name(text(i)) || words.count(text(i)) || is_type(i) || is_state(i) ||
+                text(scope_of(i)) != "{")
                 continue;
             if (last == ")" && text(other(i - 1) - 1) != "for") continue;
             if (last == "{" && text(i - 2) != ")" && text(i - 2) != ";" && i - 1 != begin_)
@@ -364,8 +360,8 @@ int main(int argc, char** argv) {
     const std::string name = argv[1];
     std::string code, list;
     int site = 10;
-    const auto add = [&](const std::string& space, const std::vector<Token>& tokens) {
-        Rewriter rewriter(name, tokens, site);
+    const auto add = [&](const std::string& space, std::vector<Token> tokens) {
+        Rewriter rewriter(name, std::move(tokens), site);
         if (rewriter.is_left_out()) return;
         code += "namespace " + space + " {\n" + rewriter.rewritten() + "\n}  // namespace " + space + "\n\n";
         list += (list.empty() ? "" : ", ") + ("checker::answer_of(&" + space + "::" + name + ")");
@@ -374,18 +370,12 @@ int main(int argc, char** argv) {
         const std::string written = contents(argv[file]);
         if (written.find("[no slips]") != std::string::npos) continue;
         const std::vector<Token> tokens = tokens_of(written);
-        std::size_t i = 0;
-        if (tokens.empty() || tokens[0].text != "namespace") {
-            add("solution", tokens);
-            continue;
-        }
-        while (i + 2 < tokens.size() && tokens[i].text == "namespace") {
-            std::size_t end = i + 3;
-            for (int depth = 1; depth > 0 && end < tokens.size(); ++end)
-                depth += tokens[end].text == "{" ? 1 : tokens[end].text == "}" ? -1 : 0;
-            add(tokens[i + 1].text,
-                {tokens.begin() + static_cast<long>(i) + 3, tokens.begin() + static_cast<long>(end) - 1});
-            i = end;
+        const Code all(tokens);
+        if (all.text(0) != "namespace") add("solution", tokens);
+        for (std::size_t i = 0; all.text(i) == "namespace";) {
+            const std::size_t end = all.other(i + 2);
+            add(all.text(i + 1), {tokens.begin() + long(i) + 3, tokens.begin() + long(end)});
+            i = end + 1;
         }
     }
     std::ofstream out(argv[2]);
