@@ -1,11 +1,10 @@
 // Tests the tests of one exercise: what is not started, what is right and what is wrong must be
 // told apart, whatever the seed; and of what is told of the mistakes, half must be worked out easily.
 //
-//     self_test EXERCISE SEEDS [AFTER]
+//     self_test EXERCISE SEEDS
 //     self_test EXERCISE slips
 //
-// Right answers are checked with so many seeds, mistakes with a tenth of that; the first AFTER of them, and a tenth of
-// that, are left out: they are checked apart. With `slips`, each slip that can be made
+// Right answers are checked with so many seeds, mistakes with a tenth of that. With `slips`, each slip that can be made
 // in the right answers is checked with one seed: it must be caught, unless its every answer is right, and have a name.
 // Without a slip they must pass.
 
@@ -39,22 +38,21 @@ void expect(const std::string& variant, std::uint64_t seed, const Verdict& verdi
     std::printf("  %s gives %s  %s\n", verdict.arguments.c_str(), verdict.result.c_str(), verdict.detail.c_str());
 }
 
-void test(const std::string& exercise, std::uint64_t seeds, std::uint64_t after) {
+void test(const std::string& exercise, std::uint64_t seeds) {
     const Registered& all = registered(exercise);
     expect("the stub", 1, session().check(exercise, all.stub, 1), Kind::not_started, "");
     for (const auto& [name, answer] : all.correct)
-        for (std::uint64_t seed = after + 1; seed <= seeds; ++seed)
+        for (std::uint64_t seed = 1; seed <= seeds; ++seed)
             expect(name, seed, session().check(exercise, answer, seed), Kind::pass, "");
     std::size_t messages = 0, short_ones = 0;
     for (const auto& [name, made] : all.mistakes)
-        for (std::uint64_t seed = after / 10 + 1; seed <= seeds / 10; ++seed) {
+        for (std::uint64_t seed = 1; seed <= seeds / 10; ++seed) {
             const Verdict verdict = session().check(exercise, made.answer, seed);
             expect(name, seed, verdict, Kind::wrong, name);
             ++messages, short_ones += long_numbers(verdict.arguments) == 0;
         }
-    const auto print = [](std::uint64_t number) { return static_cast<unsigned long long>(number); };
-    std::printf("%s: %zu right answers, %llu seeds each; %zu mistakes, %llu seeds each\n", exercise.c_str(),
-                all.correct.size(), print(seeds - after), all.mistakes.size(), print(seeds / 10 - after / 10));
+    std::printf("%s: %zu right answers, %llu seeds each; %zu mistakes, a tenth of that\n", exercise.c_str(),
+                all.correct.size(), static_cast<unsigned long long>(seeds), all.mistakes.size());
     // One exercise's properties are of whole runs, and what is wrong is seen at the end of one.
     const bool can_be_short = exercise != "fourth_order_leapfrog", are_short = 2 * short_ones >= messages;
     if (can_be_short && !are_short) ++failures;
@@ -120,21 +118,16 @@ void test_slips(const std::string& exercise) {
 }  // namespace checker
 
 int main(int argc, char** argv) try {
-    const std::string word = argc > 2 ? argv[2] : "";
-    if (argc == 3 && word == "slips") {
+    const std::string word = argc == 3 ? argv[2] : "";
+    std::uint64_t seeds = 0;
+    if (word == "slips")
         checker::test_slips(argv[1]);
-        return checker::failures == 0 ? 0 : 1;
-    }
-    const auto number = [](const std::string& text, std::uint64_t& read) {
-        return std::from_chars(text.data(), text.data() + text.size(), read).ptr == text.data() + text.size();
-    };
-    std::uint64_t seeds = 0, after = 0;
-    if (argc < 3 || argc > 4 || !number(word, seeds) || (argc == 4 && !number(argv[3], after)) || seeds < 10 ||
-        after > seeds - 10)
-        throw std::invalid_argument(
-            "takes EXERCISE SEEDS, of which there are 10 or more, and after how many of them to begin, at least 10 "
-            "before the last; or EXERCISE slips");
-    checker::test(argv[1], seeds, after);
+    else if (std::from_chars(word.data(), word.data() + word.size(), seeds).ptr == word.data() + word.size() &&
+             seeds >= 10)
+        checker::test(argv[1], seeds);
+    else
+        throw std::invalid_argument("'" + word +
+                                    "': must be a number of seeds from 10 on, or slips, behind the exercise");
     return checker::failures == 0 ? 0 : 1;
 } catch (const std::invalid_argument& error) {
     std::fprintf(stderr, "self_test: %s\n", error.what());

@@ -20,8 +20,10 @@
 #include <cctype>
 #include <cstdio>
 #include <fstream>
+#include <iomanip>
 #include <iterator>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -189,12 +191,6 @@ Lines edited(const Answer& base, const Mistake& mistake, const std::string& file
     return code;
 }
 
-std::string in_json(const std::string& words) {
-    std::string text = "\"";
-    for (const char c : words) text += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
-    return text + "\"";
-}
-
 // All of the mistakes' code, made before the first file is written.
 std::vector<Answer> made(const Mistakes& all, std::vector<Answer> bases, const std::string& file) {
     if (all.each.size() < least_mistakes) refuse(file + ": must hold four mistakes or more");
@@ -248,7 +244,8 @@ void write_mistakes(const std::string& name, const std::string& out, const std::
     const Mistakes all = mistakes_in(edits);
     const std::vector<Answer> code = made(all, bases, edits);
 
-    std::string header = "// From mistakes.diff.\n", list, told;
+    std::string header = "// From mistakes.diff.\n", list;
+    std::ostringstream told;
     for (const std::string& line : all.for_all) header += line + "\n";
     for (const Answer& mistake : code) {
         header += "\nnamespace " + mistake.name + " {\n";
@@ -257,12 +254,12 @@ void write_mistakes(const std::string& name, const std::string& out, const std::
         list += "    {\"" + mistake.name + "\", checker::function_of(&" + mistake.name + "::" + name + ")},\n";
     }
     for (const Mistake& mistake : all.each)
-        told += (told.empty() ? "" : ",") + std::string("\n  \"") + mistake.name +
-                "\": {\"says\": " + in_json(mistake.says) + ", \"hint\": " + in_json(mistake.hint) + "}";
+        told << (&mistake == &all.each[0] ? "" : ",") << "\n  " << std::quoted(mistake.name)
+             << ": {\"says\": " << std::quoted(mistake.says) << ", \"hint\": " << std::quoted(mistake.hint) << "}";
     header += "\nstatic const std::vector<checker::Mistake> all{\n" + list + "};\n";
     const std::string place = out + "/" + name;
     write(place + "_mistakes.hpp", header);
-    write(place + "_mistakes.json", "{" + told + "\n}\n");
+    write(place + "_mistakes.json", "{" + told.str() + "\n}\n");
     write(place + "_correct.hpp", right + "};\n");
 }
 
