@@ -15,8 +15,7 @@ import time
 
 import browser
 from panel import BITS, DRAWN, LIVE, PICTURE, READY, STEPS, Faults, Page
-from panel_on_screen import (DESK, can_be_read, fits_the_screen, leaves_its_sliders_in_place, says_what_it_took,
-                             seen_together, starts_where_it_is)
+from panel_on_screen import DESK, can_be_read, fits_the_screen, says_what_it_took, seen_together
 
 MODULE, SCRIPT = 60_000, 15_000  # bytes, at most
 PANEL = re.compile(r'<figure id="live-(\w+)"[^>]*data-live="([^"]+)" data-module="([^"]+)"')
@@ -169,48 +168,6 @@ def carries_settings(page, faults):
     faults.unless(page.wait(lambda: page.run(READY)), "does not start from a link with nonsense in it")
 
 
-def costs_little(page, faults):
-    """What a frame takes, counted: few drawings, none where nothing has changed, and readouts some times a second."""
-    page.open()
-    drawn, again, written, true_at_last = page.run(LIVE + """
-        const pen = live.picture.pen, list = live.figure.querySelector("dl"), texts = new MutationObserver(() => {});
-        live.play(false), of.begin(), live.steps(100);
-        let drawings = 0;
-        for (const name of ["stroke", "fill"]) pen[name] = () => { ++drawings; };
-        live.show();
-        const drawn = drawings;
-        live.show(1);  // as another frame
-        const again = drawings - drawn;
-        texts.observe(list, { childList: true, subtree: true });
-        for (let frame = 1; frame <= 60; ++frame) live.steps(1, 1e9 + frame * 1000 / 60);
-        const changes = texts.takeRecords().length / Math.max(1, live.readouts.length);
-        live.play(false);
-        const true_at_last = live.readouts.every((output, i) => !of.known(i) || output.textContent.startsWith(written(of.readout(i))));
-        return [drawn, again, changes, true_at_last]""")
-    faults.unless(0 < drawn <= 250, f"{drawn} drawings a frame")
-    faults.unless(again == 0, f"draws what has not changed, in {again} drawings")
-    faults.unless(written <= 10, f"writes each readout {written} times in 60 frames")
-    faults.unless(true_at_last, "stopped, its readouts are not the last ones")
-
-
-def grows_not(page, faults):
-    """Of the module, of the page and in nodes, after a minute like the one before."""
-    minute = LIVE + """
-        live.play(false);
-        for (let n = 1; n <= 600; ++n) live.steps(Math.ceil(.1 / of.seconds()), n * 100);
-        return of.memory.buffer.byteLength"""
-
-    def taken():
-        module = page.run(minute)
-        page.driver.execute_cdp_cmd("HeapProfiler.collectGarbage", {})
-        return module, page.driver.execute_cdp_cmd("Runtime.getHeapUsage", {})["usedSize"], \
-            page.driver.execute_cdp_cmd("Memory.getDOMCounters", {})["nodes"]
-    page.open()
-    before, after = taken(), taken()
-    for what, was, now, most in zip(("bytes of its module", "bytes of its page", "nodes"), before, after, (0, 100_000, 100)):
-        faults.unless(now - was <= most, f"a minute's run takes {now - was} {what} more")
-
-
 def keeps_calm(page, faults):
     page.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-reduced-motion", "value": "reduce"}]})
     page.open()
@@ -221,32 +178,8 @@ def keeps_calm(page, faults):
     page.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
 
 
-def stands_without_scripts(page, faults):
-    page.driver.execute_cdp_cmd("Emulation.setScriptExecutionDisabled", {"value": True})
-    page.driver.get("about:blank")
-    page.driver.get(page.address)
-    image = page.part("a.card img")
-    faults.unless(image.is_displayed() and image.size["height"] > 100, "without scripts there is no picture")
-    page.driver.execute_cdp_cmd("Emulation.setScriptExecutionDisabled", {"value": False})
-
-
-def two_at_once(pages, faults):
-    """Two panels of one page go at the same time, and each for itself."""
-    first, second = pages
-    first.open()
-    first.run("document.getElementById(arguments[0]).parentElement.prepend(document.getElementById(arguments[1]), "
-              "document.getElementById(arguments[0]))", second.id)
-    second.run("document.getElementById(arguments[0]).scrollIntoView()")
-    faults.unless(second.wait(lambda: second.run(READY)), "the second panel of a page does not start")
-    for page in pages:
-        page.run(LIVE + "live.look(true)")
-        before = page.run(STEPS)
-        faults.unless(page.wait(lambda: page.run(STEPS) > before), f"{page.id} stands beside another")
-
-
-LOOKS = (fits_the_screen, can_be_read, costs_little, by_keyboard, by_finger, leaves_its_sliders_in_place, says_what_it_took,
-         scrolls_under_a_finger, seen_together, starts_where_it_is, carries_settings, grows_not, keeps_calm,
-         stands_without_scripts)
+LOOKS = (fits_the_screen, can_be_read, by_keyboard, by_finger, says_what_it_took, scrolls_under_a_finger, seen_together,
+         carries_settings, keeps_calm)
 
 
 def main():
@@ -267,9 +200,8 @@ def main():
     with browser.Browser() as on:
         on.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", DESK)
         on.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True})
-        seen, by_page = set(), {}
+        seen = set()
         for file, name, live, module in panels:
-            by_page.setdefault(file, []).append(Page(on, file, name))
             if live in seen:
                 continue
             seen.add(live)
@@ -284,9 +216,6 @@ def main():
                 look(page, faults)
             faults += ["console: " + entry["message"] for entry in on.driver.get_log("browser") if entry["level"] == "SEVERE"]
             found += [f"{live}: {fault}" for fault in faults]
-        for pages in by_page.values():
-            if len(pages) > 1:
-                two_at_once(pages[:2], found)
     browser.report(found, len(seen), "panels")
 
 

@@ -1,8 +1,6 @@
 """How a panel stands on the screen: what of it is seen at once, where its parts are, and whether its words can be read."""
 
-import time
-
-from panel import BITS, LIVE, READY
+from panel import BITS, LIVE
 
 DESK, LAPTOP, PHONE = ({"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
                        for width, height in ((900, 900), (1280, 800), (390, 844)))
@@ -10,19 +8,6 @@ DESK, LAPTOP, PHONE = ({"width": width, "height": height, "deviceScaleFactor": 1
 
 def on_screen(page, screen):
     page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
-
-
-def leaves_its_sliders_in_place(page, faults):
-    """Whatever it says in the end, its sliders stand where they stood."""
-    page.open()
-    page.button("Stop").click()
-    page.button("Restart").click()
-    place = lambda: page.run("return document.querySelector(`#${arguments[0]} .live-controls`).offsetTop")
-    before, controls = place(), page.controls()
-    for end in ("least", "most"):
-        page.run(BITS, [f"{c['name']}={c[end]}" for c in controls] + ["steps=500"])
-        page.run(LIVE + "live.show()")
-        faults.unless(place() == before, f"its sliders move by {place() - before} px after 500 steps with all at their {end}")
 
 
 def says_what_it_took(page, faults):
@@ -73,19 +58,6 @@ def fits_the_screen(page, faults):
         last = page.run("""const figure = document.getElementById(arguments[0]);
             return [...figure.querySelectorAll(".live-control")].slice(0, arguments[1]).at(-1).getBoundingClientRect().bottom""", most)
         faults.unless(last <= screen["height"], f"at {screen['width']} px its controls end {last - screen['height']:.0f} px below the screen")
-    on_screen(page, DESK)
-
-
-def starts_where_it_is(page, faults):
-    """Who comes by a link sees the panel from its top, also when it has grown out of its picture."""
-    on_screen(page, PHONE)
-    page.driver.get("about:blank")
-    page.driver.get(page.address + "#" + page.id)
-    page.wait(lambda: page.run(READY))
-    time.sleep(0.3)
-    hidden = page.run("""const figure = document.getElementById(arguments[0]), part = what => figure.querySelector(what).getBoundingClientRect();
-        return part("canvas").bottom - part(".live-buttons").top""")
-    faults.unless(hidden <= 1, f"starts with {hidden:.0f} px of its controls behind the picture")
     on_screen(page, DESK)
 
 

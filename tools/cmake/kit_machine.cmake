@@ -21,37 +21,29 @@ function(timestep_machine result)
 }" PARENT_SCOPE)
 endfunction()
 
-function(timestep_machine_words machine result)
-  foreach(key system processor compiler compiler_version glibc libstdcxx)
-    string(JSON ${key} ERROR_VARIABLE error GET "${machine}" ${key})
-    if(error)
-      set(${key} "?")
-    endif()
-    set(${key} "${${key}}" PARENT_SCOPE)
-  endforeach()
-  set(${result} "${system} on ${processor}, ${compiler} ${compiler_version}, glibc ${glibc}, libstdc++ ${libstdcxx}"
-      PARENT_SCOPE)
-endfunction()
-
 # Stops where what was built on the machine of `file` does not fit this one: another system, processor
 # or compiler (its first number), or older libraries.
 function(timestep_require_machine file)
   file(READ "${file}" there)
   timestep_machine(here)
-  timestep_machine_words("${there}" made_on)
-  foreach(key system processor compiler compiler_version glibc libstdcxx)
-    set(made_${key} "${${key}}")
+  foreach(side there here)
+    foreach(key system processor compiler compiler_version glibc libstdcxx)
+      string(JSON ${side}_${key} ERROR_VARIABLE error GET "${${side}}" ${key})
+      if(error)
+        set(${side}_${key} "?")
+      endif()
+    endforeach()
+    string(REGEX MATCH "^[0-9]+" ${side}_major "${${side}_compiler_version}")
+    set(${side} "${${side}_system} on ${${side}_processor}, ${${side}_compiler} ${${side}_compiler_version}, \
+glibc ${${side}_glibc}, libstdc++ ${${side}_libstdcxx}")
   endforeach()
-  timestep_machine_words("${here}" this_is)
-  string(REGEX MATCH "^[0-9]+" made_major "${made_compiler_version}")
-  string(REGEX MATCH "^[0-9]+" major "${compiler_version}")
-  if(system STREQUAL made_system AND processor STREQUAL made_processor AND compiler STREQUAL made_compiler
-     AND major STREQUAL made_major AND NOT glibc VERSION_LESS made_glibc
-     AND NOT libstdcxx VERSION_LESS made_libstdcxx)
+  if("${here_system};${here_processor};${here_compiler};${here_major}"
+       STREQUAL "${there_system};${there_processor};${there_compiler};${there_major}"
+     AND NOT here_glibc VERSION_LESS there_glibc AND NOT here_libstdcxx VERSION_LESS there_libstdcxx)
     return()
   endif()
   # CMake breaks the lines of its errors; ./course shows this one alone.
-  message(NOTICE "course: this learner's edition was made for ${made_on}; here is ${this_is}: "
+  message(NOTICE "course: this learner's edition was made for ${there}; here is ${here}: "
                  "ask whoever gave it to you for one made on a machine like yours")
   message(FATAL_ERROR "The learner's edition does not fit this machine.")
 endfunction()

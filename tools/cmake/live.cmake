@@ -24,7 +24,7 @@ endif()
 # property TIMESTEP_LIVE_${chapter}, and to TIMESTEP_LIVE.
 function(timestep_live chapter needs)
   file(GLOB panels CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/chapters/${chapter}/live/*.cpp")
-  # What their lines `// still:` and `// wasm:` say is read here.
+  # What their lines `// still:` say is read here.
   set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${panels})
   set(folder "${PROJECT_BINARY_DIR}/chapters/${chapter}/live")
   foreach(panel IN LISTS panels)
@@ -47,16 +47,7 @@ function(timestep_live chapter needs)
     if(NOT MSVC)
       list(APPEND same_bits -ffp-contract=off)
     endif()
-    # What measures is optimised; all else is compiled quickly.
-    file(STRINGS "${panel}" measures REGEX "live::clock\\(\\)")
-    set(optimised -O0)
-    if("eigen" IN_LIST needs)  # whose every product is a call without it
-      set(optimised -O1)
-    endif()
-    if(measures)
-      set(optimised -O2)
-    endif()
-    target_compile_options(${native} PRIVATE ${same_bits} $<$<NOT:$<CXX_COMPILER_ID:MSVC>>:${optimised}>)
+    target_compile_options(${native} PRIVATE ${same_bits} $<$<NOT:$<CXX_COMPILER_ID:MSVC>>:-O1>)
 
     # A module that the library refuses something stops. To throw, and to put words together, would be a third of it.
     set(small -fno-exceptions -fno-rtti "-DTIMESTEP_REFUSED(line)=__builtin_trap()" -DTIMESTEP_REFUSED_BRIEFLY)
@@ -70,13 +61,10 @@ function(timestep_live chapter needs)
       COMMAND ${native} ${words} --still "${still}" > "${folder}/${name}.txt"
       DEPENDS ${native} COMMENT "Drawing the panel ${name}" VERBATIM)
     set(made "${still}")
-    file(STRINGS "${panel}" more REGEX "^// wasm: ")  # options for the module alone
-    string(REGEX REPLACE "^// wasm: " "" more "${more}")
-    separate_arguments(more UNIX_COMMAND "${more}")
     if(TIMESTEP_WASM)
       add_custom_command(OUTPUT "${folder}/${name}.wasm"
         COMMAND "${CMAKE_COMMAND}" -E make_directory "${folder}"
-        COMMAND "${WASM_CXX}" ${wasm_options} -O2 ${same_bits} ${small} ${more} ${includes} -MD -MF "${folder}/${name}.d"
+        COMMAND "${WASM_CXX}" ${wasm_options} -O2 ${same_bits} ${small} ${includes} -MD -MF "${folder}/${name}.d"
                 -MT "${folder}/${name}.wasm" "${panel}" -o "${folder}/${name}.wasm" -Wl,--strip-all
         DEPENDS "${panel}" DEPFILE "${folder}/${name}.d"
         COMMENT "Compiling the panel ${name} for the page" VERBATIM)

@@ -6,73 +6,46 @@
 #include "text.hpp"
 
 #include <iostream>
+#include <regex>
 #include <set>
-#include <stdexcept>
 
 namespace {
 
 namespace fs = std::filesystem;
 
-/// What stands between the first `begin` and the next `end`.
-std::string between(const std::string& text, std::string_view begin, std::string_view end, const std::string& file) {
-    const auto found = text.find(begin);
-    const auto start = found + begin.size();
-    const auto stop = found == std::string::npos ? found : text.find(end, start);
-    if (stop == std::string::npos) throw page::Error{file, 1, "has no " + std::string{begin}};
-    return text.substr(start, stop - start);
-}
-
-/// An attribute of a tag on `page`, with the blank before it, as it is in the book.
+/// An attribute of a tag on `page`, with the blank before it, as the book has it.
 std::string moved(const std::string& name, const std::string& value, const std::string& page,
                   const std::set<std::string>& pages) {
     const bool leaves = value.find(':') != std::string::npos;
     if (name == "id" || name == "name") return " " + name + "=\"" + page + "." + value + "\"";
     if (name == "src" || name == "srcset") return " " + name + "=\"" + (leaves ? value : "html/" + value) + "\"";
-    if (name == "href" && !leaves) {
+    if (name == "href") {
+        if (leaves) return " href=\"" + value + "\"";
         const std::string file = value.substr(0, value.find('#'));
         const std::string to = file.empty() ? page : fs::path{file}.stem().string();
         if (pages.count(to) == 0) return {};
         return " href=\"#" + to +
                (value.find('#') == std::string::npos ? "" : "." + value.substr(value.find('#') + 1)) + "\"";
     }
-    // In a book nothing moves, and every picture is printed.
-    return name == "loading" || name == "data-module" ? "" : " " + name + "=\"" + value + "\"";
+    return {};  // loading, data-module: in a book nothing moves, and every picture is printed
 }
 
 std::string chapter_of_book(const fs::path& site, const std::string& page, const std::set<std::string>& pages,
                             std::string& title) {
+    static const std::regex attribute{" (id|name|src|srcset|href|loading|data-module)=\"([^\"]*)\""};
     const std::string file = page + ".html", html = page::read_file(site / file);
-    title = page::trim(between(html, "<div class=\"title\">", "</div>", file));
-    std::string text = between(html, "<div class=\"contents\">", "</div><!-- PageDoc -->", file);
+    title = page::trim(page::between(html, "<div class=\"title\">", "</div>"));
+    std::string text = page::between(html, "<div class=\"contents\">", "</div><!-- PageDoc -->"), book;
+    if (title.empty() || text.empty()) throw page::Error{file, 1, "has no title, or no contents"};
     if (const auto toc = text.find("<div class=\"toc\">"); toc != std::string::npos)
         text.erase(toc, text.find("</div>", toc) + 6 - toc);
-    std::string book;
-    for (std::size_t at = 0; at < text.size();) {
-        const auto tag = text.find('<', at);
-        const auto end = tag == std::string::npos ? tag : text.find('>', tag);
-        if (end == std::string::npos) {
-            book += text.substr(at);
-            break;
-        }
-        book += text.substr(at, tag - at);
-        std::string inside = text.substr(tag, end - tag);
-        if (inside == "<details" || inside.starts_with("<details ")) inside.insert(8, " open=\"\"");
-        for (std::size_t next = 0; next < inside.size();) {
-            const auto equals = inside.find("=\"", next);
-            const auto quote = equals == std::string::npos ? equals : inside.find('"', equals + 2);
-            if (quote == std::string::npos) {
-                book += inside.substr(next);
-                break;
-            }
-            const auto blank = inside.rfind(' ', equals);
-            book +=
-                inside.substr(next, blank - next) + moved(inside.substr(blank + 1, equals - blank - 1),
-                                                          inside.substr(equals + 2, quote - equals - 2), page, pages);
-            next = quote + 1;
-        }
-        book += '>';
-        at = end + 1;
+    text = page::replace_all(text, "<details", "<details open=\"\"");
+    auto rest = text.cbegin();
+    for (std::sregex_iterator each{text.cbegin(), text.cend(), attribute}, end; each != end; ++each) {
+        book += each->prefix().str() + moved((*each)[1], (*each)[2], page, pages);
+        rest = (*each)[0].second;
     }
+    book.append(rest, text.cend());
     return "<section class=\"page\" id=\"" + page + "\">\n<h1 class=\"title\">" + title + "</h1>\n" + book +
            "</section>\n";
 }

@@ -1,11 +1,11 @@
 #include "chapter.hpp"
 
-#include "text.hpp"
-
 #include <algorithm>
 #include <cctype>
 
 #include <nlohmann/json.hpp>
+
+#include "text.hpp"
 
 namespace page {
 namespace {
@@ -46,14 +46,15 @@ std::vector<Chapter> load_chapters(const std::filesystem::path& root) {
         chapter.folder = folder;
         chapter.number = std::stoi(folder.substr(0, 2));
         const std::string file = chapter.about();
-        const nlohmann::json about = read_json(root / file, file);
-        chapter.title = required(about, "title", file);
-        chapter.question = required(about, "question", file);
-        chapter.picture = required(about, "picture", file);
-        chapter.builds_on = strings(about, "builds_on", file);
-        chapter.claims = strings(about, "claims", file);
-        chapter.figures = strings(about, "figures", file);
-        if (chapter.figures.empty()) chapter.figures = {chapter.picture};
+        using Words = std::vector<std::string>;
+        read_about(root, file, [&chapter](const nlohmann::json& about) {
+            chapter.title = about.at("title");
+            chapter.question = about.at("question");
+            chapter.picture = about.at("picture");
+            chapter.builds_on = about.value("builds_on", Words{});
+            chapter.claims = about.value("claims", Words{});
+            chapter.figures = about.value("figures", Words{chapter.picture});
+        });
         chapter.has_more = std::filesystem::exists(root / chapter.source(true));
         for (const std::string& row : chapter.claims) {
             if (!is_row(row)) throw Error{file, 1, "\"" + row + "\" is no claim (N or I and two digits)"};
@@ -63,31 +64,13 @@ std::vector<Chapter> load_chapters(const std::filesystem::path& root) {
     return chapters;
 }
 
-nlohmann::json read_json(const std::filesystem::path& path, const std::string& file) {
-    const std::string text = read_file(path);
+void read_about(const std::filesystem::path& root, const std::string& file,
+                const std::function<void(const nlohmann::json&)>& read) {
     try {
-        nlohmann::json json = nlohmann::json::parse(text);
-        if (!json.is_object()) throw Error{file, 1, "must be an object: { … }"};
-        return json;
-    } catch (const nlohmann::json::parse_error& wrong) {
-        const std::size_t before = std::min(wrong.byte == 0 ? 0 : wrong.byte - 1, text.size());
-        const auto end = text.begin() + static_cast<std::ptrdiff_t>(before);
-        throw Error{file, 1 + static_cast<int>(std::count(text.begin(), end, '\n')), wrong.what()};
+        read(nlohmann::json::parse(read_file(root / file)));
+    } catch (const nlohmann::json::exception& wrong) {
+        throw Error{file, 1, wrong.what()};
     }
-}
-
-std::string required(const nlohmann::json& about, const std::string& key, const std::string& file) {
-    const auto found = about.find(key);
-    if (found == about.end() || !found->is_string() || found->get<std::string>().empty())
-        throw Error{file, 1, "\"" + key + "\" must be a string"};
-    return *found;
-}
-
-std::vector<std::string> strings(const nlohmann::json& about, const std::string& key, const std::string& file) {
-    const nlohmann::json list = about.value(key, nlohmann::json::array());
-    if (!list.is_array() || !std::all_of(list.begin(), list.end(), [](const auto& one) { return one.is_string(); }))
-        throw Error{file, 1, "\"" + key + "\" must be a list of strings"};
-    return list;
 }
 
 }  // namespace page

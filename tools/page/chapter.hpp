@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -35,10 +36,9 @@ struct Chapter {
 /// Every chapter below `root`/chapters, in order. Throws Error for a faulty about.json.
 std::vector<Chapter> load_chapters(const std::filesystem::path& root);
 
-/// An about.json. Throws Error at the line where it is no JSON, or no object.
-nlohmann::json read_json(const std::filesystem::path& path, const std::string& file);
-/// A string of it that must be there; a list of strings that may. Throw Error.
-std::string required(const nlohmann::json& about, const std::string& key, const std::string& file);
-std::vector<std::string> strings(const nlohmann::json& about, const std::string& key, const std::string& file);
+/// Hands an about.json to `read`; CMake has held it to its rules (tools/cmake/chapter.cmake, exercise.cmake). What is
+/// wrong with it all the same is an Error.
+void read_about(const std::filesystem::path& root, const std::string& file,
+                const std::function<void(const nlohmann::json&)>& read);
 
 }  // namespace page

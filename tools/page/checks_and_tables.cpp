@@ -31,20 +31,21 @@ Number look_up(Context& context, std::string reference) {
 /// A cell as a number, "× 1.5" and "57 %" among them, set so that no line breaks in it. Empty: words.
 std::string number_cell(const std::string& cell) {
     static const std::string times = "× ", percent = " %";
-    if (parse_number(cell)) return typeset(cell, "");
-    if (cell.starts_with(times) && parse_number(cell.substr(times.size())))
+    if (is_number(cell)) return typeset(cell, "");
+    if (cell.starts_with(times) && is_number(cell.substr(times.size())))
         return "×\u00a0" + typeset(cell.substr(times.size()), "");
     const std::string before = cell.substr(0, cell.size() - std::min(cell.size(), percent.size()));
-    return cell.ends_with(percent) && parse_number(before) ? typeset(before, "%") : "";
+    return cell.ends_with(percent) && is_number(before) ? typeset(before, "%") : "";
 }
 
 /// A column is set flush right when there are numbers in it; the first only when it has no words.
 bool is_numeric(const Table& table, std::size_t column) {
     bool any = false, words = false;
-    for (const std::vector<std::string>& row : table.rows) {
-        const bool number = !number_cell(row[column]).empty();
+    for (std::size_t row = 1; row < table.size(); ++row) {
+        const std::string& cell = table[row][column];
+        const bool number = !number_cell(cell).empty();
         any = any || number;
-        words = words || (!number && !row[column].empty() && row[column] != "–");
+        words = words || (!number && !cell.empty() && cell != "–");
     }
     return any && (column > 0 || !words);
 }
@@ -128,22 +129,22 @@ std::string table_markdown(Context& context, const Directive& directive) {
     std::string file;
     RunData& run = context.run_of(directive.arguments.front(), file);
     const Table table = run.table(file);
-    std::string names = "|", rule = "|", body;
-    for (std::size_t column = 0; column < table.columns.size(); ++column) {
-        names += ' ';
-        names += replace_all(table.columns[column], "_", " ") + " |";
-        rule += is_numeric(table, column) ? "---:|" : "---|";
-    }
-    for (const std::vector<std::string>& row : table.rows) {
-        body += "|";
-        for (const std::string& cell : row) {
+    std::string markdown = "\n", rule = "|";
+    for (std::size_t row = 0; row < table.size(); ++row) {
+        markdown += "|";
+        for (std::size_t column = 0; column < table[row].size(); ++column) {
+            const std::string &cell = table[row][column], number = number_cell(cell);
             // Words may hold formulas and Markdown: the cell is filled like the page itself.
-            const std::string number = number_cell(cell);
-            body += " " + (number.empty() ? with_bars_kept(cell) : number) + " |";
+            markdown += " " +
+                        (row == 0         ? replace_all(cell, "_", " ")
+                         : number.empty() ? with_bars_kept(cell)
+                                          : number) +
+                        " |";
+            if (row == 0) rule += is_numeric(table, column) ? "---:|" : "---|";
         }
-        body += "\n";
+        markdown += row == 0 ? "\n" + rule + "\n" : "\n";
     }
-    return "\n" + names + "\n" + rule + "\n" + body;
+    return markdown;
 }
 
 }  // namespace page

@@ -55,12 +55,11 @@ std::string see_markdown(Context& context, const Directive& directive);
 std::string legend_line_markdown(Context& context, const Directive& directive);
 /// The id of a figure on its page.
 std::string figure_anchor(const std::filesystem::path& drawn);
-/// The figures of a page's source as they follow each other. `folder` and `page` are the chapter's,
-/// or nothing.
-std::vector<Numbered> figures_of(std::string_view source, const std::string& file, const std::string& folder,
-                                 const std::string& page);
-/// The figures of a chapter: those of its page, then those of its second one. Not those between a {{where name}} that
-/// the chapter's run has not measured and its {{end}}; these go to `context.left_out` where the page is the chapter's.
+/// The figures of a page's source as they follow each other. `folder` and `page` are the chapter's, or nothing. Those
+/// between a {{where name}} that the run has not measured and its {{end}} go to `context.left_out`.
+std::vector<Numbered> figures_of(Context& context, std::string_view source, const std::string& file,
+                                 const std::string& folder, const std::string& page);
+/// The figures of a chapter: those of its page, then those of its second one.
 std::vector<Numbered> figures_of(Context& context, const Chapter& chapter);
 /// The picture `drawn` as HTML, `folder/file` below the site's figures; on phones the narrow one, where there is one.
 std::string picture_html(Context& context, const std::string& folder, const std::filesystem::path& drawn,

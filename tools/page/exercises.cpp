@@ -122,14 +122,14 @@ std::vector<Exercise> load_exercises(Context& context, const std::string& chapte
         Exercise exercise{};
         exercise.name = room.path().filename().string();
         exercise.chapter = chapter;
-        const std::string file = fs::proximate(about, root).generic_string();
-        const nlohmann::json json = read_json(about, file);
-        exercise.number = json.value("number", 0);
-        exercise.title = required(json, "title", file);
-        exercise.level = required(json, "level", file);
-        exercise.practises = required(json, "practises", file);
-        exercise.declaration = required(json, "declaration", file);
-        for (const std::string& hint : strings(json, "hints", file)) exercise.hints.push_back(markdown(hint));
+        read_about(root, fs::proximate(about, root).generic_string(), [&exercise](const nlohmann::json& json) {
+            exercise.number = json.at("number");
+            exercise.title = json.at("title");
+            exercise.level = json.at("level");
+            exercise.practises = json.at("practises");
+            exercise.declaration = json.at("declaration");
+            for (const std::string hint : json.at("hints")) exercise.hints.push_back(markdown(hint));
+        });
         const fs::path solution = root / "solutions" / chapter / (exercise.name + ".cpp");
         exercise.task = task(solution);
         context.inputs.insert({about, solution});

@@ -73,59 +73,37 @@ std::string figure_anchor(const std::filesystem::path& drawn) {
     return "fig-" + figure_name(drawn, moves) + (moves ? "-film" : "");
 }
 
-std::vector<Numbered> figures_of(std::string_view source, const std::string& file, const std::string& folder,
-                                 const std::string& page) {
+std::vector<Numbered> figures_of(Context& context, std::string_view source, const std::string& file,
+                                 const std::string& folder, const std::string& page) {
     Order order;
+    bool is_seen = true;
     for (const Piece& piece : scan(source, file)) {
-        if (piece.kind == Piece::Kind::directive && piece.text.starts_with("figure ")) {
-            const std::vector<std::string> words = split_words(piece.text.substr(0, piece.text.find(':')));
-            const std::string& shown = words.size() > 1 ? words[1] : words[0];
-            order.push_back({shown.find('/') == std::string::npos ? folder + "/" + shown : shown, page});
+        if (piece.kind != Piece::Kind::directive) continue;
+        const std::vector<std::string> words = split_words(piece.text.substr(0, piece.text.find(':')));
+        const std::string kind = words.empty() ? "" : words[0];
+        if (kind == "where" || kind == "end") is_seen = true;
+        if (kind == "where") {
+            try {
+                is_seen = is_measured(context, parse_directive(piece.text), folder);
+            } catch (const std::logic_error&) {  // no such run or number yet: the page itself says so
+            }
+        } else if (kind == "figure" && words.size() > 1) {
+            const std::string name = words[1].find('/') == std::string::npos ? folder + "/" + words[1] : words[1];
+            is_seen ? order.push_back({name, page}) : void(context.left_out.insert(name));
         }
     }
     return order;
 }
 
-namespace {
-
-/// The figures of a chapter's page that its run leaves out.
-std::set<std::string> left_out(Context& context, const Chapter& chapter, std::string_view source,
-                               const std::string& file) {
-    std::set<std::string> figures;
-    std::string where;  // the {{where …}} that we are in
-    for (const Piece& piece : scan(source, file)) {
-        const std::vector<std::string> words = piece.kind == Piece::Kind::directive
-                                                   ? split_words(piece.text.substr(0, piece.text.find(':')))
-                                                   : std::vector<std::string>{};
-        const std::string kind = words.empty() ? "" : words[0];
-        if (kind == "where" || kind == "end") {
-            where = kind == "where" ? piece.text : "";
-        } else if (kind == "figure" && words.size() > 1 && !where.empty()) {
-            try {
-                if (!is_measured(context, parse_directive(where), chapter.folder))
-                    figures.insert(chapter.folder + "/" + words[1]);
-            } catch (const std::logic_error&) {  // no such run or number yet: the page itself says so
-            }
-        }
-    }
-    return figures;
-}
-
-}  // namespace
-
 std::vector<Numbered> figures_of(Context& context, const Chapter& chapter) {
     Order order;
     for (const bool more : {false, true}) {
-        if (!more || chapter.has_more) {
-            const std::string file = chapter.source(more);
-            context.inputs.insert(context.root() / file);
-            const std::string source = read_file(context.root() / file);
-            const std::set<std::string> unseen = left_out(context, chapter, source, file);
-            for (const Numbered& each : figures_of(source, file, chapter.folder, chapter.id(more))) {
-                if (unseen.count(each.figure) == 0) order.push_back(each);
-            }
-            if (context.chapter() == &chapter) context.left_out.insert(unseen.begin(), unseen.end());
-        }
+        if (more && !chapter.has_more) continue;
+        const std::string file = chapter.source(more);
+        context.inputs.insert(context.root() / file);
+        const Order of_page =
+            figures_of(context, read_file(context.root() / file), file, chapter.folder, chapter.id(more));
+        order.insert(order.end(), of_page.begin(), of_page.end());
     }
     return order;
 }

@@ -209,36 +209,25 @@ std::set<std::string> rows_of_more(const Context& context) {
     return rows;
 }
 
-/// A chapter's page has the title of its about.json, and its sections have ids that tell whose they are. Throws Error.
-void check_skeleton(const std::vector<Piece>& pieces, const Chapter& chapter, const std::string& file) {
+/// A chapter's page has the title of its about.json, its second page one of its own; their sections have ids that tell
+/// whose they are. Throws Error.
+void check_headings(const std::vector<Piece>& pieces, const Chapter& chapter, bool more, const std::string& file) {
+    bool is_titled = false;
     for (const Piece& piece : pieces) {
-        if (piece.kind != Piece::Kind::heading) continue;
+        if (piece.kind != Kind::heading) continue;
         const Heading heading = parse_heading(piece.text);
-        if (heading.level == 1 && heading.title != chapter.title)
+        const std::string prefix = chapter.section_prefix(more);
+        if (!more && heading.level == 1 && heading.title != chapter.title)
             throw Error{file, piece.line, "the page's title must be that of about.json: " + chapter.title};
-        if (heading.level == 2 && !heading.id.starts_with(chapter.section_prefix()))
-            throw Error{file, piece.line, "a ## section must have an id that begins {#" + chapter.section_prefix()};
+        if (more && is_titled == (heading.level == 1))
+            throw Error{file, piece.line, "the first heading, and no other, must be a title, # with one sign"};
+        if (more && !is_titled && heading.id != chapter.id(true))
+            throw Error{file, piece.line, "the title must have the id {#" + chapter.id(true) + "}"};
+        if ((heading.level == 2 || (more && is_titled)) && !heading.id.starts_with(prefix))
+            throw Error{file, piece.line, "a section must have an id that begins {#" + prefix};
+        is_titled = true;
     }
-}
-
-/// A chapter's second page has sections of its own, and ids that tell whose they are. Throws Error.
-void check_more(const std::vector<Piece>& pieces, const Chapter& chapter, const std::string& file) {
-    bool titled = false;
-    for (const Piece& piece : pieces) {
-        if (piece.kind != Piece::Kind::heading) continue;
-        const Heading heading = parse_heading(piece.text);
-        if (!titled && (heading.level != 1 || heading.id != chapter.id(true))) {
-            throw Error{file, piece.line,
-                        "the first heading must be the title, with the id {#" + chapter.id(true) + "}"};
-        }
-        if (titled && (heading.level == 1 || !heading.id.starts_with(chapter.section_prefix(true)))) {
-            throw Error{
-                file, piece.line,
-                "below the title a section is ## or ###, with an id that begins {#" + chapter.section_prefix(true)};
-        }
-        titled = true;
-    }
-    if (!titled) throw Error{file, 1, "the page has no title, with the id {#" + chapter.id(true) + "}"};
+    if (more && !is_titled) throw Error{file, 1, "the page has no title, with the id {#" + chapter.id(true) + "}"};
 }
 
 /// A chapter shows all its figures and teaches all its rows, on this page or the other of its two. Throws Error where
@@ -297,19 +286,17 @@ std::string fold_markdown(Context& context, const Directive& directive) {
 std::string fill(Context& context, std::string_view source, const std::string& file) {
     const std::vector<Piece> pieces = scan(source, file);
     const Chapter* chapter = context.chapter();
-    context.order = chapter == nullptr ? figures_of(source, file, "", "") : figures_of(context, *chapter);
+    context.order = chapter == nullptr ? figures_of(context, source, file, "", "") : figures_of(context, *chapter);
     Filler filler{context, file};
     std::string page;
     if (chapter == nullptr) {
         page = filler.fill(pieces);
-    } else if (context.is_more()) {
-        check_more(pieces, *chapter, file);
-        page = filler.fill(pieces) + chapter_footer(context);
     } else {
-        check_skeleton(pieces, *chapter, file);
-        cut_program(context, pieces, file);
+        const bool more = context.is_more();
+        check_headings(pieces, *chapter, more, file);
+        if (!more) cut_program(context, pieces, file);
         page = filler.fill(pieces);
-        page = chapter_header(context, std::string{source}) + page + chapter_footer(context);
+        page = (more ? "" : chapter_header(context, std::string{source})) + page + chapter_footer(context);
     }
     if (chapter != nullptr && context.gaps == 0) check_complete(context);
     if (context.asked)

@@ -17,21 +17,18 @@ namespace fs = std::filesystem;
 
 std::vector<page::Name> read_names(const fs::path& tags) {
     std::vector<page::Name> names;
-    page::Name compound;
+    std::string compound;
     for (const std::string& line : page::split_lines(page::read_file(tags))) {
         const auto inner = [&](const std::string& tag) {
             return page::between(line, "<" + tag + ">", "</" + tag + ">");
         };
-        if (const std::string kind = page::between(line, "<compound kind=\"", "\""); !kind.empty()) {
-            compound = {kind, "", kind, "", "", ""};
-            names.push_back(compound);
-        }
-        if (const std::string kind = page::between(line, "<member kind=\"", "\""); !kind.empty())
-            names.push_back({compound.kind, compound.name, kind, "", "", ""});
+        const std::string begun = page::between(line, "<compound kind=\"", "\""),
+                          member = page::between(line, "<member kind=\"", "\"");
+        if (!begun.empty()) compound = begun;
+        if (!begun.empty() || !member.empty()) names.push_back({compound, begun + member, "", "", ""});
         if (names.empty()) continue;
         page::Name& name = names.back();
         if (name.name.empty()) name.name = inner("name");
-        if (name.kind == name.compound && !name.name.empty()) compound.name = name.name;
         if (name.path.empty()) name.path = inner("path");
         if (name.address.empty()) name.address = inner("filename") + inner("anchorfile");
         if (const std::string anchor = inner("anchor"); !anchor.empty()) name.address += "#" + anchor;
@@ -51,7 +48,6 @@ void finish(const fs::path& site, const fs::path& tags, const fs::path& library,
     page::check_groups(library / "groups.tsv", names);
     page::Units units = page::read_units(library / "units.tsv");
     const page::SourcePages sources = page::find_source_pages(site);
-    const page::Owners owners = page::owners_in(names);
     std::set<std::string> missing;
     for (const auto& entry : fs::directory_iterator{site}) {
         const std::string name = entry.path().filename().string();
@@ -59,7 +55,7 @@ void finish(const fs::path& site, const fs::path& tags, const fs::path& library,
         const std::string html = page::read_file(entry.path());
         std::string finished = html;
         if (!name.ends_with("_source.html")) {
-            finished = page::with_source_links(page::with_meant_links(html, owners), sources, name, unlinked);
+            finished = page::with_source_links(page::with_sure_links(html), sources, name, unlinked);
             finished = page::with_units(finished, units, missing);
         }
         finished = with_places_once(page::with_colours(finished));

@@ -10,10 +10,10 @@ namespace page {
 
 /// A name in Doxygen's file of tags: a compound (file, class, namespace), or a member of one.
 struct Name {
-    std::string compound, owner;  ///< kind and name of the compound
-    std::string kind, name;       ///< of the name itself
-    std::string path;             ///< a file's folder
-    std::string address;          ///< below the site
+    std::string compound;    ///< the compound's kind
+    std::string kind, name;  ///< of the name itself
+    std::string path;        ///< a file's folder
+    std::string address;     ///< below the site
 };
 
 // ---- Code on the pages (listings.cpp) ---------------------------------------------------------------
@@ -22,17 +22,15 @@ struct Name {
 using SourcePages = std::map<std::string, std::string>;
 /// `<title>Timestep: include/timestep/run.hpp Source File</title>` names the file of a source's page.
 SourcePages find_source_pages(const std::filesystem::path& site);
-/// The classes and namespaces that have a function or a variable of that name.
-using Owners = std::map<std::string, std::set<std::string>>;
-Owners owners_in(const std::vector<Name>& names);
 /// The page with its links `source:tests/library/run.cpp#l00042` resolved; in the folder `unlinked` nothing is linked.
 /// Throws Error for a source that the site does not show.
 std::string with_source_links(std::string html, const SourcePages& pages, const std::string& name,
                               const std::string& unlinked);
-/// The page without the links that may mean something else. What Doxygen shows beside a link goes with it.
-std::string with_meant_links(std::string html, const Owners& owners);
+/// The page with links to types and qualified names alone in its listings; what Doxygen shows beside another link goes
+/// with it.
+std::string with_sure_links(const std::string& html);
 /// The page with the words of C++20 coloured in its listings.
-std::string with_colours(std::string html);
+std::string with_colours(const std::string& html);
 
 // ---- Units and groups of the library (units.cpp) ----------------------------------------------------
 

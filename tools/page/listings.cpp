@@ -1,8 +1,8 @@
 // Links and colours of the code on the finished pages, as only then all names are known.
 //
 // In a listing Doxygen links each name that it knows from anywhere: `dot` of one program to the product of two vectors.
-// The names that Doxygen left tell which of them mean one thing only. And Doxygen 1.9 colours parts of names as words
-// of C++, the `float` and `int` of floating_point, and misses others.
+// Only types and qualified names are sure to mean what it links. And Doxygen 1.9 colours parts of names as words of
+// C++, the `float` and `int` of floating_point, and misses others.
 
 #include "finish_site.hpp"
 #include "text.hpp"
@@ -13,52 +13,19 @@
 namespace page {
 namespace {
 
-// ---- Links to names ---------------------------------------------------------------------------------
-
-/// A link of Doxygen's in a listing.
-struct Link {
-    std::size_t begin, end;
-    std::string kind, address, name;
-
-    /// Does the code declare the name there? A type stands before it.
-    bool declares(const std::string& html) const {
-        const std::string_view before = std::string_view{html}.substr(0, begin);
-        const bool keyword = before.ends_with("</span> ");
-        const std::string_view span = keyword ? before.substr(before.rfind("<span")) : "";
-        return span.find("keywordtype") != span.npos || span.find(">auto<") != span.npos || before.ends_with("</a> ") ||
-               before.ends_with("&gt; ") || before.ends_with("&amp; ");
-    }
-    bool is_type() const { return kind != "hl_function" && kind != "hl_variable" && kind != "hl_enumvalue"; }
-};
-
-Link next_link(const std::string& html, std::size_t from, std::size_t to) {
-    Link link{html.find("<a class=\"code ", from), 0, "", "", ""};
-    if (link.begin >= to) return {to, to, "", "", ""};
-    link.end = html.find("</a>", link.begin) + 4;
-    const std::string tag = html.substr(link.begin, link.end - link.begin);
-    link.kind = between(tag, "code ", "\"");
-    link.address = between(tag, "href=\"", "\"");
-    link.name = between(tag, ">", "</a>");
-    return link;
-}
-
-/// One listing of a page, and whether it quotes a header of the library.
-struct Listing {
-    std::size_t begin, end;
-    bool of_library;
-};
-
-std::vector<Listing> listings_of(const std::string& html) {
+/// Calls `change` with each listing of the page, and puts in what it returns.
+template <class Change>
+std::string with_listings(const std::string& html, Change change) {
     static const std::string open = "<div class=\"fragment\">", close = "<!-- fragment -->";
-    std::vector<Listing> listings;
-    for (std::size_t at = html.find(open); at != std::string::npos; at = html.find(open, at + 1)) {
-        const std::size_t figure = html.rfind("<figure class=\"listing\"", at), end = html.find(close, at);
+    std::string changed;
+    std::size_t done = 0;
+    for (std::size_t at; (at = html.find(open, done)) != std::string::npos;) {
+        const std::size_t end = html.find(close, at);
         if (end == std::string::npos) break;
-        const bool quotes = figure != std::string::npos && html.find("</figure>", figure) > at;
-        listings.push_back(
-            {at, end, quotes && html.substr(figure, at - figure).find(">include/") != std::string::npos});
+        changed += html.substr(done, at - done) + change(html.substr(at, end - at));
+        done = end;
     }
-    return listings;
+    return changed + html.substr(done);
 }
 
 // ---- Colours ----------------------------------------------------------------------------------------
@@ -129,15 +96,6 @@ SourcePages find_source_pages(const std::filesystem::path& site) {
     return pages;
 }
 
-Owners owners_in(const std::vector<Name>& names) {
-    Owners owners;
-    for (const Name& name : names) {
-        const bool in_scope = name.compound == "struct" || name.compound == "class" || name.compound == "namespace";
-        if (in_scope && (name.kind == "function" || name.kind == "variable")) owners[name.name].insert(name.owner);
-    }
-    return owners;
-}
-
 std::string with_source_links(std::string html, const SourcePages& pages, const std::string& name,
                               const std::string& unlinked) {
     static const std::string marker = "href=\"source:";
@@ -156,63 +114,39 @@ std::string with_source_links(std::string html, const SourcePages& pages, const 
     return html;
 }
 
-std::string with_meant_links(std::string html, const Owners& owners) {
-    const auto declared = [&html](const Listing& in, std::set<std::string>& names) {
-        for (Link link = next_link(html, in.begin, in.end); link.begin < in.end;
-             link = next_link(html, link.end, in.end))
-            if (!link.is_type() && link.declares(html)) names.insert(link.name);
-    };
-    std::set<std::string> own;  // what the programs on this page declare
-    for (const Listing& listing : listings_of(html))
-        if (!listing.of_library) declared(listing, own);
-
-    const auto stays = [&](const Link& link, const Listing& in, const std::set<std::string>& own_here) {
-        if (link.is_type()) return link.name.size() > 1;  // V is a parameter of some template
-        if (link.name.find("::") != std::string::npos) return true;
-        const char after = html[link.end];
-        if (html[link.begin - 1] == '.' || link.kind == "hl_enumvalue") return false;
-        if (link.kind == "hl_function" && after != '(' && after != '&' && after != '{') return false;
-        const auto found = owners.find(link.name);
-        const bool one = found == owners.end() || found->second.size() == 1;
-        if (!in.of_library) return one && own.count(link.name) == 0;
-        const bool of_class = link.address.starts_with("struct") || link.address.starts_with("class");
-        return one || (!of_class && own_here.count(link.name) == 0);
-    };
-    std::vector<Listing> listings = listings_of(html);
-    for (auto each = listings.rbegin(); each != listings.rend(); ++each) {
-        std::set<std::string> own_here, kept;
-        declared(*each, own_here);
-        std::string code = html.substr(each->begin, each->end - each->begin), linked;
-        std::size_t done = each->begin;
-        for (Link link = next_link(html, done, each->end); link.begin < each->end;
-             link = next_link(html, link.end, each->end)) {
-            const bool keep = stays(link, *each, own_here);
-            if (keep) kept.insert(link.address);
-            linked += html.substr(done, link.begin - done) +
-                      (keep ? html.substr(link.begin, link.end - link.begin) : link.name);
-            done = link.end;
+std::string with_sure_links(const std::string& html) {
+    static const std::string open = "<a class=\"code ", close = "</a>", tip = "<div class=\"ttc\"";
+    return with_listings(html, [](std::string listing) {
+        std::set<std::string> kept;
+        for (std::size_t at = 0; (at = listing.find(open, at)) != std::string::npos;) {
+            const std::size_t end = listing.find(close, at) + close.size();
+            const std::string link = listing.substr(at, end - at), kind = between(link, open, "\""),
+                              name = between(link, ">", close);
+            const bool is_type = kind != "hl_function" && kind != "hl_variable" && kind != "hl_enumvalue";
+            // A type of one letter is a parameter of some template.
+            const bool is_sure = (is_type && name.size() > 1) || name.find("::") != std::string::npos;
+            if (is_sure)
+                kept.insert(between(link, "href=\"", "\""));
+            else
+                listing.replace(at, end - at, name);
+            at = is_sure ? end : at + name.size();
         }
-        linked += html.substr(done, each->end - done);
-        static const std::string tip = "<div class=\"ttc\"";
-        for (std::size_t at = 0; (at = linked.find(tip, at)) != std::string::npos;) {
-            const std::size_t line = linked.find('\n', at);
-            const bool shown =
-                kept.count(between(linked.substr(at, line - at), "<div class=\"ttname\"><a href=\"", "\""));
-            shown ? void(at = line) : void(linked.erase(at, line + 1 - at));
+        for (std::size_t at = 0; (at = listing.find(tip, at)) != std::string::npos;) {
+            const std::size_t end = listing.find('\n', at) + 1;
+            const bool is_shown =
+                kept.count(between(listing.substr(at, end - at), "<div class=\"ttname\"><a href=\"", "\"")) > 0;
+            is_shown ? void(at = end) : void(listing.erase(at, end - at));
         }
-        html.replace(each->begin, each->end - each->begin, linked);
-    }
-    return html;
+        return listing;
+    });
 }
 
-std::string with_colours(std::string html) {
-    const std::vector<Listing> listings = listings_of(html);
-    for (auto each = listings.rbegin(); each != listings.rend(); ++each) {
-        const std::string listing = html.substr(each->begin, each->end - each->begin);
-        if (listing.find("<span class=\"") != std::string::npos)  // else it is a command, no C++
-            html.replace(each->begin, listing.size(), with_keywords(without_keywords(listing)));
-    }
-    return html;
+std::string with_colours(const std::string& html) {
+    return with_listings(html, [](const std::string& listing) {
+        // Without a span it is a command, no C++.
+        const bool is_code = listing.find("<span class=\"") != std::string::npos;
+        return is_code ? with_keywords(without_keywords(listing)) : listing;
+    });
 }
 
 }  // namespace page

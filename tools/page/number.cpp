@@ -3,14 +3,18 @@
 #include "text.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
+#include <regex>
 
 namespace page {
 namespace {
 
-constexpr std::string_view minus = "\u2212";
-constexpr std::string_view narrow_space = "\u202f";
+/// What a number is set with, on the page or within a formula: −3.2 × 10⁻¹⁶.
+struct Style {
+    std::string minus, space, infinity, times, begin_power, minus_in_power, end_power;
+};
+const Style on_page{"\u2212", "\u202f", "\u221e", "\u202f×\u202f", "10<sup>", "\u2212", "</sup>"};
+const Style in_formula{"-", "\\,", "\\infty", "\\times ", "10^{", "-", "}"};
 
 /// 1234567 as 1 234 567; four digits stay together.
 std::string group_thousands(const std::string& digits, std::string_view space) {
@@ -24,81 +28,41 @@ std::string group_thousands(const std::string& digits, std::string_view space) {
     return grouped;
 }
 
-/// m/s^2 as m/s<sup>2</sup>.
-std::string typeset_unit(std::string_view unit) {
-    std::string set;
-    for (std::size_t i = 0; i < unit.size(); ++i) {
-        if (unit[i] != '^') {
-            set += unit[i];
-            continue;
-        }
-        set += "<sup>";
-        for (++i; i < unit.size() && (unit[i] == '-' || std::isdigit(static_cast<unsigned char>(unit[i])) != 0); ++i)
-            set += unit[i] == '-' ? std::string{minus} : std::string{unit[i]};
-        --i;
-        set += "</sup>";
-    }
-    return set;
+/// The number `text`, which is one.
+std::string set_number(std::string_view text, const Style& style) {
+    std::string set = text.front() == '-' ? style.minus : "";
+    text.remove_prefix(text.front() == '-' ? 1 : 0);
+    if (text.front() == 'i' || text.front() == 'I') return set + style.infinity;
+    const std::size_t e = text.find_first_of("eE");
+    const std::string mantissa = group_thousands(std::string{text.substr(0, e)}, style.space);
+    std::string exponent{e == std::string_view::npos ? "" : text.substr(e + 1)};
+    const bool down = exponent.starts_with('-');
+    exponent.erase(0, exponent.find_first_of("123456789"));
+    if (exponent.empty()) return set + mantissa;
+    // 1e-06 is a power of ten, not one times it.
+    return set + (mantissa == "1" ? "" : mantissa + style.times) + style.begin_power +
+           (down ? style.minus_in_power : "") + exponent + style.end_power;
 }
 
 }  // namespace
 
-std::optional<Parts> parse_number(std::string_view text) {
+bool is_number(std::string_view text) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     // Out of range (1e-400, which long double can print) is a number all the same.
-    const bool whole = end == text.data() + text.size() && !text.empty();
-    if (!whole || error == std::errc::invalid_argument || value != value) return std::nullopt;
-    Parts parts{};
-    parts.negative = text.front() == '-';
-    text.remove_prefix(parts.negative ? 1 : 0);
-    if (text.front() == 'i' || text.front() == 'I') {
-        parts.mantissa = "\u221e";
-        return parts;
-    }
-    const std::size_t e = text.find_first_of("eE");
-    parts.mantissa = group_thousands(std::string{text.substr(0, e)}, narrow_space);
-    if (e != std::string_view::npos) {
-        std::string exponent{text.substr(e + 1)};
-        const bool down = exponent.front() == '-';
-        exponent.erase(0, exponent.find_first_of("123456789"));
-        if (!exponent.empty()) parts.exponent = (down ? "-" : "") + exponent;
-    }
-    return parts;
+    return !text.empty() && end == text.data() + text.size() && error != std::errc::invalid_argument && value == value;
 }
 
 std::string typeset(std::string_view value, std::string_view unit) {
-    std::string set;
-    if (const std::optional<Parts> parts = parse_number(value)) {
-        set += parts->negative ? minus : "";
-        if (parts->exponent.empty()) {
-            set += parts->mantissa;
-        } else {
-            const std::string power = "10<sup>" + replace_all(parts->exponent, "-", minus) + "</sup>";
-            // 1e-06 is a power of ten, not one times it.
-            set += parts->mantissa == "1" ? power : parts->mantissa + "\u202f×\u202f" + power;
-        }
-    } else {
-        set += escape_markdown(value);
-    }
-    return unit.empty() ? set : set + std::string{narrow_space} + typeset_unit(unit);
+    static const std::regex power{"\\^(-?)([0-9]*)"};  // m/s^2 is m/s<sup>2</sup>
+    const std::string set = is_number(value) ? set_number(value, on_page) : escape_markdown(value);
+    if (unit.empty()) return set;
+    const std::string raised = std::regex_replace(std::string{unit}, power, "<sup>$1$2</sup>");
+    return set + on_page.space + replace_all(raised, "<sup>-", "<sup>" + on_page.minus);
 }
 
 std::string typeset_tex(std::string_view value, std::string_view unit) {
-    std::string set;
-    if (const std::optional<Parts> parts = parse_number(value)) {
-        set += parts->negative ? "-" : "";
-        std::string mantissa = replace_all(parts->mantissa, narrow_space, "\\,");
-        mantissa = replace_all(mantissa, "\u221e", "\\infty");
-        if (parts->exponent.empty()) {
-            set += mantissa;
-        } else {
-            const std::string power = "10^{" + parts->exponent + "}";
-            set += mantissa == "1" ? power : mantissa + "\\times " + power;
-        }
-    } else {
-        set += "\\text{" + std::string{value} + "}";
-    }
+    const std::string set = is_number(value) ? set_number(value, in_formula) : "\\text{" + std::string{value} + "}";
     return unit.empty() ? set : set + "\\,\\mathrm{" + std::string{unit} + "}";
 }
 

@@ -1,20 +1,12 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
 namespace page {
 
-/// A number in three parts, as typographers set it: −3.2 × 10⁻¹⁶.
-struct Parts {
-    bool negative;
-    std::string mantissa;  ///< digits and point, grouped in threes when long; may be "∞"
-    std::string exponent;  ///< of ten; empty when there is none
-};
-
-/// The parts of a number as C++ prints it ("-3.2e-16"), or nothing when the text is no number.
-std::optional<Parts> parse_number(std::string_view text);
+/// Is it a number as C++ prints it ("-3.2e-16")?
+bool is_number(std::string_view text);
 
 /// For Markdown and HTML: a proper minus, a superscript exponent, the unit behind a narrow
 /// no-break space. Text that is no number is shown as it is.

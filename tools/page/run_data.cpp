@@ -20,55 +20,35 @@ std::filesystem::path RunData::existing(const std::string& file) const {
     return path;
 }
 
-/// A file of named records: the name, then the other fields.
-std::map<std::string, std::vector<std::string>> RunData::records(const std::string& file, std::size_t fields) const {
-    const std::filesystem::path path = existing(file);
-    std::map<std::string, std::vector<std::string>> found;
-    int line = 0;
-    for (const std::string& text : split_lines(read_file(path))) {
-        std::vector<std::string> record = split(text, '\t');
-        if (++line == 1 && record.front() == "name") continue;
-        if (record.size() != fields)
-            throw Error{path.string(), line, "must have " + std::to_string(fields) + " fields with tabs between"};
-        const std::string name = record.front();
-        record.erase(record.begin());
-        found[name] = record;
+const std::vector<std::string>* RunData::find_record(const std::string& file, std::size_t cells,
+                                                     const std::string& name) {
+    auto& records = records_[file];
+    if (records.empty()) {
+        for (const auto& [row, line] : rows_of(existing(file), cells))
+            if (row[0] != "name") records[row[0]] = row;
     }
-    return found;
+    const auto found = records.find(name);
+    return found == records.end() ? nullptr : &found->second;
 }
 
-const Number& RunData::number(const std::string& name) {
-    if (numbers_.empty()) {
-        for (const auto& [key, fields] : records("numbers.tsv", 4)) numbers_[key] = {fields[0], fields[1], fields[2]};
-    }
-    const auto found = numbers_.find(name);
-    if (found == numbers_.end()) {
-        const std::string check = written_at(name, "check");
-        throw std::out_of_range{"the run of " + chapter_ + " has no number \"" + name + "\"" +
-                                (check.empty() ? "" : ", but a check of that name" + check)};
-    }
-    return found->second;
+Number RunData::number(const std::string& name) {
+    if (const auto* cells = find_record("numbers.tsv", 4, name)) return {(*cells)[1], (*cells)[2], (*cells)[3]};
+    const std::string check = written_at(name, "check");
+    throw std::out_of_range{"the run of " + chapter_ + " has no number \"" + name + "\"" +
+                            (check.empty() ? "" : ", but a check of that name" + check)};
 }
 
-const std::string& RunData::check(const std::string& name) {
-    if (checks_.empty()) {
-        for (const auto& [key, fields] : records("checks.tsv", 2)) checks_[key] = fields[0];
-    }
-    const auto found = checks_.find(name);
-    if (found == checks_.end()) {
-        const std::string number = written_at(name, "number");
-        throw std::out_of_range{"the run of " + chapter_ + " made no check \"" + name + "\"" +
-                                (number.empty() ? "" : ", but has a number of that name" + number)};
-    }
-    return found->second;
+std::string RunData::check(const std::string& name) {
+    if (const auto* cells = find_record("checks.tsv", 2, name)) return (*cells)[1];
+    const std::string number = written_at(name, "number");
+    throw std::out_of_range{"the run of " + chapter_ + " made no check \"" + name + "\"" +
+                            (number.empty() ? "" : ", but has a number of that name" + number)};
 }
 
 std::string RunData::place_of(const std::string& name, const std::string& kind) const {
     if (!std::filesystem::exists(folder_ / "places.tsv")) return {};
-    for (const std::string& line : split_lines(read_file(folder_ / "places.tsv"))) {
-        const std::vector<std::string> cells = split(line, '\t');
-        if (cells.size() == 3 && cells[0] == name && cells[1] == kind) return cells[2];
-    }
+    for (const auto& [cells, line] : rows_of(folder_ / "places.tsv", 3))
+        if (cells[0] == name && cells[1] == kind) return cells[2];
     return {};
 }
 
@@ -80,18 +60,8 @@ std::string RunData::written_at(const std::string& name, const std::string& kind
 Table RunData::table(const std::string& file) const {
     const std::filesystem::path path = existing(file);
     Table table;
-    int line = 0;
-    for (const std::string& text : split_lines(read_file(path))) {
-        const std::vector<std::string> cells = split(text, '\t');
-        if (++line == 1) {
-            table.columns = cells;
-        } else if (!text.empty()) {  // a blank line only tells gnuplot to lift its pen
-            if (cells.size() != table.columns.size())
-                throw Error{path.string(), line, "has not as many cells as the first line" + written_at(file, "data")};
-            table.rows.push_back(cells);
-        }
-    }
-    if (table.rows.empty()) throw Error{path.string(), 1, "is a table without rows" + written_at(file, "data")};
+    for (const auto& [cells, line] : rows_of(path)) table.push_back(cells);
+    if (table.size() < 2) throw Error{path.string(), 1, "is a table without rows" + written_at(file, "data")};
     return table;
 }
 

@@ -13,11 +13,8 @@ struct Number {
     std::string value, unit, meaning;
 };
 
-/// A data file: the columns' names, and the rows.
-struct Table {
-    std::vector<std::string> columns;
-    std::vector<std::vector<std::string>> rows;
-};
+/// A data file: the columns' names, then the rows.
+using Table = std::vector<std::vector<std::string>>;
 
 /// The run has not been made, or is not over yet. A draft of the page leaves a gap there.
 class NotYet : public std::out_of_range {
@@ -31,9 +28,9 @@ class RunData {
 public:
     RunData(std::string chapter, std::filesystem::path folder);
 
-    const Number& number(const std::string& name);
+    Number number(const std::string& name);
     /// The statement that the run confirmed.
-    const std::string& check(const std::string& name);
+    std::string check(const std::string& name);
     Table table(const std::string& file) const;
     /// The line that wrote the number, check or data file, "chapters/…/energy.cpp:42". Empty where the run does not
     /// say.
@@ -51,12 +48,12 @@ public:
 
 private:
     std::filesystem::path existing(const std::string& file) const;
-    std::map<std::string, std::vector<std::string>> records(const std::string& file, std::size_t fields) const;
+    /// The row of that name in a file of named records; nothing where there is none.
+    const std::vector<std::string>* find_record(const std::string& file, std::size_t cells, const std::string& name);
 
     std::string chapter_;
     std::filesystem::path folder_;
-    std::map<std::string, Number> numbers_;
-    std::map<std::string, std::string> checks_;
+    std::map<std::string, std::map<std::string, std::vector<std::string>>> records_;  ///< by their file
 };
 
 }  // namespace page

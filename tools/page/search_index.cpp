@@ -1,6 +1,6 @@
 // What the search of the site looks through: every page of words in its sections, the glossary's words with the place
-// to which each leads, and the library's names. One entry a place, with its address `u`, its title `t`, the title of
-// its page `p` and its words `x`.
+// to which each leads, and the library's names. Each place has its address `u`, its title `t`, the title of its page
+// `p` and its words `x`.
 
 #include "finish_site.hpp"
 #include "text.hpp"
@@ -9,33 +9,17 @@
 #include <map>
 #include <set>
 
+#include <nlohmann/json.hpp>
+
 namespace page {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The text as a string of JavaScript.
-std::string quoted(const std::string& text) {
-    std::string words = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') words += '\\';
-        words += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-    return words + '"';
+nlohmann::json place(const std::string& address, const std::string& title, const std::string& page,
+                     const std::string& words) {
+    return {{"u", address}, {"t", title}, {"p", page}, {"x", words}};
 }
-
-/// One entry a place.
-class Places {
-public:
-    void add(const std::string& address, const std::string& title, const std::string& page, const std::string& words) {
-        entries_ += (entries_.empty() ? "{\"u\":" : ",\n{\"u\":") + quoted(address) + ",\"t\":" + quoted(title) +
-                    ",\"p\":" + quoted(page) + ",\"x\":" + quoted(words) + "}";
-    }
-    const std::string& entries() const { return entries_; }
-
-private:
-    std::string entries_;
-};
 
 /// Words without tags, formulas and listings.
 std::string words_of(std::string html) {
@@ -76,7 +60,7 @@ bool has_words(const std::string& name) {
 }
 
 /// A page of words, section by section.
-void add_sections(const fs::path& file, Places& places) {
+void add_sections(const fs::path& file, nlohmann::json& places) {
     const std::string html = read_file(file), name = file.filename().string();
     const std::string title = words_of(between(html, "<div class=\"title\">", "</div>"));
     const std::size_t begin = html.find("<div class=\"textblock\">");
@@ -90,20 +74,20 @@ void add_sections(const fs::path& file, Places& places) {
         return at;
     };
     std::size_t at = next_heading(0);
-    places.add(name, title, "", words_of(text.substr(0, at)));
+    places.push_back(place(name, title, "", words_of(text.substr(0, at))));
     while (at != std::string::npos) {
         const std::size_t next = next_heading(at + 1);
         const std::string part = text.substr(at, next - at);
         const std::string id = between(part, heading, "\"");
         const std::size_t end = part.find("</h");
         if (end != std::string::npos && !id.starts_with("autotoc"))
-            places.add(name + "#" + id, words_of(part.substr(0, end)), title, words_of(part.substr(end)));
+            places.push_back(place(name + "#" + id, words_of(part.substr(0, end)), title, words_of(part.substr(end))));
         at = next;
     }
 }
 
 /// Each word of the glossary leads to where it is explained; one that only names another, to where that is.
-void add_glossary(const fs::path& file, Places& places) {
+void add_glossary(const fs::path& file, nlohmann::json& places) {
     struct Entry {
         std::string word, address, text;
     };
@@ -124,7 +108,8 @@ void add_glossary(const fs::path& file, Places& places) {
     for (const auto& [word, entry] : entries) {
         const auto other = entries.find(entry.address);
         const std::string& address = other == entries.end() ? entry.address : other->second.address;
-        if (address.find(".html") != std::string::npos) places.add(address, entry.word, "Glossary", entry.text);
+        if (address.find(".html") != std::string::npos)
+            places.push_back(place(address, entry.word, "Glossary", entry.text));
     }
 }
 
@@ -141,7 +126,7 @@ std::string apart(const std::string& name) {
 }
 
 /// The library's names: classes, and the functions of its namespaces.
-void add_names(const std::vector<Name>& names, Places& places) {
+void add_names(const std::vector<Name>& names, nlohmann::json& places) {
     std::set<std::string> seen;
     for (const Name& each : names) {
         const bool is_class = each.kind == each.compound && (each.kind == "struct" || each.kind == "class");
@@ -150,14 +135,14 @@ void add_names(const std::vector<Name>& names, Places& places) {
         if ((!is_class && !is_function) || name.find("detail") != std::string::npos) continue;
         const std::string bare = name.substr(name.rfind(':') == std::string::npos ? 0 : name.rfind(':') + 1);
         if (bare.starts_with("operator") || !seen.insert(file + bare).second) continue;
-        places.add(each.address, bare, "The library", apart(bare));
+        places.push_back(place(each.address, bare, "The library", apart(bare)));
     }
 }
 
 }  // namespace
 
 std::string search_places(const fs::path& site, const std::vector<Name>& names) {
-    Places places;
+    nlohmann::json places;
     std::set<fs::path> files;
     for (const auto& entry : fs::directory_iterator{site}) files.insert(entry.path());
     for (const fs::path& file : files) {
@@ -166,7 +151,7 @@ std::string search_places(const fs::path& site, const std::vector<Name>& names) 
         if (name == "glossary.html") add_glossary(file, places);
     }
     add_names(names, places);
-    return "const searchPlaces = [" + places.entries() + "];\n";
+    return "const searchPlaces = " + places.dump() + ";\n";
 }
 
 }  // namespace page

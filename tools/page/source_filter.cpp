@@ -16,16 +16,15 @@ namespace {
 
 /// The group of the header `file`, or nothing.
 std::string group_of(const std::string& file, const std::string& groups) {
-    for (const std::string& row : page::split_lines(page::read_file(groups))) {
-        const std::vector<std::string> cells = page::split(row, '\t');
-        if (cells.size() == 2 && file.ends_with("/" + cells[0])) return cells[1];
-    }
+    for (const auto& [cells, line] : page::rows_of(groups, 2))
+        if (file.ends_with("/" + cells[0])) return cells[1];
     return {};
 }
 
 /// A line of a header below the line `before`, with its group. None more and none less: the documentation tells where
 /// things are defined.
 std::string in_group(const std::string& before, const std::string& line, const std::string& group) {
+    if (group.empty()) return page::marker_tag(line).empty() ? line : "";
     if (line == "#pragma once") return "/// \\file";
     if (line == "/// \\file" && before == "#pragma once") return "/// \\ingroup " + group;
     const bool hidden = line.find("detail") != std::string::npos;
@@ -48,11 +47,8 @@ int main(int argc, char** argv) {
         if (file.starts_with(interface_folder)) {
             const std::vector<std::string> lines = page::split_lines(page::read_file(file));
             const std::string group = group_of(file, argv[2]);
-            for (std::size_t i = 0; i < lines.size(); ++i) {
-                const std::string before = i > 0 ? lines[i - 1] : "";
-                const std::string plain = page::marker_tag(lines[i]).empty() ? lines[i] : "";
-                std::cout << (group.empty() ? plain : in_group(before, lines[i], group)) << "\n";
-            }
+            for (std::size_t i = 0; i < lines.size(); ++i)
+                std::cout << in_group(i > 0 ? lines[i - 1] : "", lines[i], group) << "\n";
         }
         return std::cout.flush() ? 0 : 2;
     } catch (const std::exception& wrong) {

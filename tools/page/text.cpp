@@ -65,6 +65,7 @@ std::vector<Row> rows_of(const std::filesystem::path& file, std::size_t cells) {
         ++line;
         if (text.empty() || text.starts_with('#')) continue;
         rows.push_back({split(text, '\t'), line});
+        if (cells == 0) cells = rows.front().cells.size();
         if (rows.back().cells.size() != cells)
             throw Error{file.string(), line, "must have " + std::to_string(cells) + " cells with tabs between"};
     }

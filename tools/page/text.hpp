@@ -30,12 +30,12 @@ std::vector<std::string> split_lines(std::string_view text);
 std::vector<std::string> split_words(std::string_view text);
 
 /// The rows of a table of tab-separated cells, without empty lines and those that begin with #. Throws Error for a row
-/// that has not so many cells.
+/// that has not so many cells, or not as many as the first.
 struct Row {
     std::vector<std::string> cells;
     int line;
 };
-std::vector<Row> rows_of(const std::filesystem::path& file, std::size_t cells);
+std::vector<Row> rows_of(const std::filesystem::path& file, std::size_t cells = 0);
 
 /// The text between `open` and the next `close`; empty where they are not there.
 std::string between(const std::string& text, const std::string& open, const std::string& close, std::size_t from = 0);

@@ -4,7 +4,6 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-#include <algorithm>
 #include <regex>
 
 #include "which_method.hpp"
@@ -58,12 +57,4 @@ TEST_CASE("the page of all answers names each once, in the order of the question
     std::vector<std::string> all;
     for (const timestep::Choice& each : timestep::choices()) all.push_back(each.name);
     CHECK(named == all);
-}
-
-TEST_CASE("the page of all answers says which line most of a game is") {
-    const std::string page = page_of("docs/which_method.md");
-    const std::vector<std::string> named = answers_in(page);
-    const auto line = 1 + (std::find(named.begin(), named.end(), "swing") - named.begin());
-    CHECK_THAT(timestep::choice("swing").have, ContainsSubstring("most of a game"));
-    CHECK_THAT(page, ContainsSubstring("Most of a game is line " + std::to_string(line) + " of the first."));
 }

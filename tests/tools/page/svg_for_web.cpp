@@ -1,5 +1,6 @@
 // Figures on the pages: their size, in the dark as on white, and in no more points than are seen.
 #include "svg_for_web.hpp"
+#include "colours.hpp"
 #include "course.hpp"
 #include "text.hpp"
 
@@ -8,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <regex>
 #include <stdexcept>
 
 using Catch::Matchers::ContainsSubstring;
@@ -85,7 +87,7 @@ TEST_CASE("points that nobody sees are left out of a figure") {
     const auto path = [](const std::string& data) {
         return page::between(shown("<path d='" + data + "'/>"), " d='", "'");
     };
-    // On the line between their neighbours, or less than a tenth of a pixel beside it; then a corner.
+    // Points on the line between their neighbours, or less than a tenth of a pixel beside it; then a corner.
     CHECK(path("M0.00,0.00 L1.00,0.05 L2.00,0.00 L2.00,7.00  ") == "M0,0L2,0 2,7");
     CHECK(path("M0.00,0.00 L1.00,0.25 L2.00,0.00 ") == "M0,0L1,0.3 2,0");
     CHECK(path("M-0.04,-3.16 L5.00,5.00 M9.00,9.00 M1.00,1.00 L2.00,2.00 ") == "M0,-3.2L5,5M1,1L2,2");
@@ -110,4 +112,19 @@ TEST_CASE("the first frame is a whole GIF without the rest of the animation") {
     CHECK(still.find("NETSCAPE") == std::string::npos);
     for (const std::size_t length : {0u, 12u, 30u, 50u})
         CHECK_THROWS_AS(page::first_frame(gif.substr(0, length)), std::invalid_argument);
+}
+
+TEST_CASE("a method looks in the panels as it does in the figures") {
+    const std::string style = page::read_file(std::string{SOURCE} + "/tools/figures/style.gp");
+    for (const live::Look& look : live::looks) {
+        if (*look.style == '\0') continue;
+        CAPTURE(look.name);
+        const std::regex line{"(?:^|\n)" + std::string{look.style} +
+                              " *= \"(?:lc rgb '(#\\w+)' lw [\\d.]+ dt (\\S+)|(#\\w+))\"\n"};
+        std::smatch found;
+        REQUIRE(std::regex_search(style, found, line));
+        const std::string dashes = found[2];
+        CHECK(look.colour == (found[1].matched ? found[1] : found[3]).str());
+        CHECK(look.dashes == (dashes.size() > 2 ? dashes.substr(1, dashes.size() - 2) : ""));
+    }
 }
