@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include <timestep/gyroscopic/calm_half_step.hpp>
-#include <timestep/measured_order.hpp>
 #include <timestep/rigid/exact_free_body.hpp>
 #include <timestep/rigid/shapes.hpp>
 
@@ -71,7 +69,8 @@ TEST_CASE("unscaled, the half-step Jacobian keeps |L|^2/E in every single step",
     }
 }
 
-TEST_CASE("the calm half-step has order two, and slow spins the half-step Jacobian's error", "[library][ch8]") {
+TEST_CASE("the calm half-step has the half-step Jacobian's error for slow spins, and less for fast ones",
+          "[library][ch8]") {
     const auto I = box(12.0, 1.0, 2.0, 3.0);
     const auto error = [&](const auto& solver, const V& omega, long steps) {
         const ExactFreeBody<double> exact(I, {0, Quaternion<double>::Identity(), omega});
@@ -80,12 +79,6 @@ TEST_CASE("the calm half-step has order two, and slow spins the half-step Jacobi
         for (long n = 0; n < steps; ++n) w = solver.step(I, w, 1 / double(steps));
         return (w - end.q.conjugate() * end.omega).norm();
     };
-    for (const V& omega : {V(1, 2, 2), V(30, 60, 60)}) {  // the second in substeps, at first
-        std::vector<double> h, errors;
-        for (long steps = 256; steps <= 4096; steps *= 2)
-            h.push_back(1 / double(steps)), errors.push_back(error(calm_half_step, omega, steps));
-        CHECK(std::fabs(measured_order(h, errors) - 2) < 0.15);
-    }
     CHECK(error(calm_half_step, V(1, 2, 2), 60) < 2 * error(half_step_jacobian, V(1, 2, 2), 60));
     // At 60 rad/s and 60 Hz substeps tell the time, and one step does not.
     CHECK(error(calm_half_step, V(20, 40, 40), 60) < error(half_step_jacobian, V(20, 40, 40), 60) / 2);

@@ -130,16 +130,6 @@ TEST_CASE("in float a symmetric body keeps its energy for an hour", "[library][N
     CHECK(worst < 2e-4);
 }
 
-TEST_CASE("a symmetric body's step turns by the angle of the true motion, to its fifth power", "[library]") {
-    const SymmetricInertia<double> I(1, 1.9);
-    for (const double theta : {0.1, 0.2, 0.4, 0.8}) {
-        const double z = theta / I.precession_ratio;
-        const Vector3<double> w = passive_gyroscopic.step(I, Vector3<double>(1, 0, z), 1.0);
-        const double off = std::atan2(w.y(), w.x()) - theta;
-        CHECK(std::fabs(off / (-std::pow(theta, 5) / 120) - 1) < 0.2);
-    }
-}
-
 // Of a small angle the rounded cosine is one, and with it and the sine a turn stretches a little: five
 // bodies had up to a percent more or less of |L| after this hour.
 TEST_CASE("in float a splitting keeps |L| for an hour", "[library][ch8]") {

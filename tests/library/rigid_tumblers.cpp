@@ -1,4 +1,4 @@
-// The whole-body methods: order, what they keep, the way back, exact cases, and the edges.
+// The whole-body methods: what they keep, the way back, exact cases, and the edges.
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
@@ -12,13 +12,11 @@
 #include <timestep/gyroscopic/calm_half_step.hpp>
 #include <timestep/gyroscopic/cayley_gyroscopic.hpp>
 #include <timestep/gyroscopic/half_step_jacobian.hpp>
-#include <timestep/measured_order.hpp>
 #include <timestep/rigid/shapes.hpp>
 #include <timestep/rigid/strang.hpp>
 #include <timestep/rigid/ball_and_remainder.hpp>
 #include <timestep/rigid/tumble.hpp>
 
-#include "exact_free_body.hpp"
 #include "random_inertia.hpp"
 #include "spins.hpp"
 
@@ -42,31 +40,7 @@ void for_each_splitting(const Visit& visit) {
     visit(strang), visit(ball_and_remainder_2), visit(ball_and_remainder_4);
 }
 
-// The error in ω, or in the orientation, falls with this power of the step.
-template <class Method>
-double order(const Method& method, const PrincipalInertia<double>& I, const V& omega, bool orientation) {
-    const Spin exact = in_body(ExactFreeBody<double>(I, in_world(spinning(omega)))(2));
-    std::vector<double> h, errors;
-    const long least = Method::order == 4 ? 16 : 128;
-    for (long steps = least; steps <= 8 * least; steps *= 2) {
-        const Spin s = after(method, I, spinning(omega), 2.0 / double(steps), steps);
-        h.push_back(2.0 / double(steps));
-        errors.push_back(orientation ? apart(s.q, exact.q) : (s.omega - exact.omega).norm());
-    }
-    return measured_order(h, errors);
-}
-
 }  // namespace
-
-TEST_CASE("every whole-body method has its order in the spin and in the orientation", "[library][ch8]") {
-    const PrincipalInertia<double> bodies[] = {box(12.0, 1.0, 2.0, 3.0), {1, 1.1, 0.3}, {3, 1.2, 2}};
-    for (const auto& I : bodies)
-        for_each_tumbler([&](const auto& method) {
-            INFO(method.name << ", I = " << I.moments.transpose());
-            CHECK(std::fabs(order(method, I, V(1, 2, 2), false) - method.order) < 0.15);
-            CHECK(std::fabs(order(method, I, V(1, 2, 2), true) - method.order) < 0.15);
-        });
-}
 
 TEST_CASE("the solvers solve the equations that they say", "[library][ch8]") {
     RandomInertia random(11);

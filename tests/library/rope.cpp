@@ -32,9 +32,9 @@ const Projectile gravity(Vector2d(0, -9.81));
 
 // After 7200 sweeps the slowest motion of 20 links has less than 1e-8 of the whole left, measured:
 // it fades sweep by sweep, in however few steps.
-double stretch_at_rest(double rate, int sweeps, std::size_t links) {
+double stretch_at_rest(double h, std::size_t links) {
     Rope rope(Vector2d(0, 0), Vector2d(0, -1), links, 0.1, gravity);
-    for (int n = 0; n < 7200 / sweeps; ++n) rope.step(1 / rate, sweeps);
+    for (int n = 0; n < 7200; ++n) rope.step(h, 1);
     return rope.stretch();
 }
 
@@ -85,13 +85,6 @@ TEST_CASE("one iteration a step hangs (n - 1) h^2 g / 2 too long a link, on the 
     for (const std::size_t links : {5u, 10u, 20u}) {
         const double h = 1.0 / 120;
         const double expected = double(links - 1) / 2 * h * h * 9.81 / 0.1;
-        CHECK(std::fabs(stretch_at_rest(120, 1, links) / expected - 1) < 1e-7);
-    }
-}
-
-TEST_CASE("half the step is a quarter of the stretch", "[library][ch4]") {
-    for (const int sweeps : {2, 8}) {
-        const double ratio = stretch_at_rest(60, sweeps, 20) / stretch_at_rest(120, sweeps, 20);
-        CHECK(std::fabs(ratio - 4) < 4e-7);
+        CHECK(std::fabs(stretch_at_rest(h, links) / expected - 1) < 1e-7);
     }
 }

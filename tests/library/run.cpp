@@ -1,4 +1,5 @@
-// The loop around every picture: how often it steps, what it shows, what it refuses.
+// The loop around every picture: how often it steps, what it shows, what it refuses. And BDF2 in a game, where things
+// happen between the steps.
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
@@ -9,6 +10,8 @@
 
 #include <Eigen/Core>
 #include <timestep/methods.hpp>
+#include <timestep/methods/bdf2.hpp>
+#include <timestep/models/damped_spring.hpp>
 #include <timestep/models/decay.hpp>
 #include <timestep/models/pendulum.hpp>
 #include <timestep/models/projectile.hpp>
@@ -195,4 +198,46 @@ TEMPLATE_TEST_CASE("every method of order two or more throws a ball along its pa
         CHECK(std::fabs(end.x - exact.x) <= bound);
         CHECK(std::fabs(end.v - exact.v) <= bound);
     });
+}
+
+namespace {
+
+const DampedSpring<double> damped(10.0, 0.2);
+constexpr double h = 1.0 / 60;
+
+bool same(const State<double>& a, const State<double>& b) { return a.t == b.t && a.x == b.x && a.v == b.v; }
+
+}  // namespace
+
+TEST_CASE("left alone a motion by BDF2 is a run of it", "[library]") {
+    const State<double> start{0, 1, -2};
+    Bdf2Motion motion(start);
+    CHECK(same(motion.now(), start));
+    for (int n = 1; n <= 50; ++n) {
+        motion.step(damped, h);
+        CHECK(same(motion.now(), run(bdf2, damped, start, h, n)));
+    }
+}
+
+TEST_CASE("after a restart a motion by BDF2 knows nothing of what was before", "[library]") {
+    Bdf2Motion motion(State<double>{0, 1, 0});
+    for (int n = 0; n < 10; ++n) motion.step(damped, h);
+    const State<double> kicked{motion.now().t, motion.now().x, motion.now().v + 1};
+    motion.restart(kicked);
+    CHECK(same(motion.now(), kicked));
+    Bdf2Motion anew(kicked);
+    for (int n = 0; n < 10; ++n) {
+        motion.step(damped, h), anew.step(damped, h);
+        CHECK(same(motion.now(), anew.now()));
+    }
+}
+
+TEST_CASE("a step of another length is a restart of a motion by BDF2", "[library]") {
+    Bdf2Motion motion(State<double>{0, 1, 0});
+    for (int n = 0; n < 10; ++n) motion.step(damped, h);
+    Bdf2Motion anew(motion.now());
+    for (const double length : {2 * h, 2 * h, h, h}) {
+        motion.step(damped, length), anew.step(damped, length);
+        CHECK(same(motion.now(), anew.now()));
+    }
 }

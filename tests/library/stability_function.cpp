@@ -41,8 +41,6 @@ std::vector<Complex> places() {
 
 template <class Method>
 constexpr bool a_stable = Method::cost.solves > 0;
-template <class Method>
-constexpr bool l_stable = a_stable<Method> && !std::is_same_v<Method, ImplicitMidpoint>;
 
 }  // namespace
 
@@ -126,16 +124,6 @@ TEST_CASE("the methods that solve are A-stable, the others are not", "[stability
         CHECK(std::abs(stability_function(implicit_euler, {0, y})) < 1);
         CHECK(std::abs(stability_function(bdf2, {0, y})) < 1);
     }
-}
-
-TEST_CASE("implicit Euler and BDF2 are L-stable, implicit midpoint rings", "[stability_function][N62]") {
-    for_each_stability_function([](const auto& method) {
-        using Method = std::remove_cvref_t<decltype(method)>;
-        INFO(method.name);
-        // 1/(1 + 10¹²) and 1/√(4 + 2·10¹²)
-        CHECK((std::abs(stability_function(method, -1e12)) < 1e-6) == l_stable<Method>);
-    });
-    CHECK(std::abs(stability_function(implicit_midpoint, -1e12) + 1.0) < 1e-11);
 }
 
 TEST_CASE("a complex decay turns and shrinks as e^(lambda t)", "[models]") {
