@@ -2,6 +2,8 @@
 // desks whose tables are the same may play in lockstep, as far as this library goes. With an argument it prints each
 // scene, too: held to another desk's, that names the scene that differs. One file for the compiler: most of what it
 // takes is to read Eigen.
+#include <vector>
+
 #include <timestep/damper_sweep.hpp>
 #include <timestep/own_math.hpp>
 #include <timestep/rope.hpp>
@@ -42,20 +44,12 @@ void print_dampers() {
 // The library's own functions, by themselves: few of the other rows' numbers are such that another library rounds them
 // in another way.
 void print_math() {
-    row("cube roots", "own mathematics", []<class Real>(Hash& hash) {
-        for (int i = -steps; i < steps; ++i) {
-            const Real x = Real(i) * Real(0.0731);
-            hash.add(timestep::cube_root(x)), hash.add(timestep::cube_root(x * Real(7919)));
-        }
-    });
-    row("sines and cosines", "own mathematics", []<class Real>(Hash& hash) {
-        for (int i = -steps; i < steps; ++i) {
-            const Real x = Real(i) * Real(0.0731);
-            for (const Real angle : {x / 64, x, x * Real(7919)}) {
-                const auto [sine, cosine] = timestep::sine_cosine(angle);
-                hash.add(sine), hash.add(cosine);
+    row("cube roots, sines and cosines", "own mathematics", []<class Real>(Hash& hash) {
+        for (int i = -steps; i < steps; ++i)
+            for (const Real x : {Real(i) * Real(0.0731) / 64, Real(i) * Real(0.0731), Real(i) * Real(579)}) {
+                const auto [sine, cosine] = timestep::sine_cosine(x);
+                hash.add(timestep::cube_root(x)), hash.add(sine), hash.add(cosine);
             }
-        }
     });
 }
 
@@ -68,7 +62,6 @@ int main(int argc, char**) {
     print_rope();
     print_dampers();
     bodies::print_lanes();
-    bodies::print_plane();
     print_math();
-    for (const Row& each : table) print(each.method.c_str(), each.in_float, each.in_double);
+    for (const auto& [method, all] : table) print(method, all);
 }

@@ -28,21 +28,10 @@ struct StiffeningSpring {
     Real slope_v(Real, Real) const { return 0; }
 };
 
-// ẏ = −y³.
-template <class Real>
-struct Cooling {
-    Real operator()(Real, Real y) const { return -y * y * y; }
-    Real slope_y(Real, Real y) const { return -3 * y * y; }
-};
-
 template <class Method, class Model, class Start>
 void add_run(Hash& hash, const Method& method, const Model& model, const Start& start, double h = 0.0173) {
     run(method, model, start, decltype(start.t)(h), steps, [&](const auto& s) { hash.add(s); });
 }
-
-template <class Method>
-inline constexpr bool for_position_forces =
-    std::is_same_v<Method, Verlet> || std::is_same_v<Method, VelocityVerlet> || std::is_same_v<Method, Leapfrog>;
 
 template <class Real>
 const State<Real> start{0, Real(1.1), Real(-0.3)};
@@ -72,7 +61,7 @@ void print_forces(const Method& method) {
         row("tether in space", name,
             [&]<class Real>(Hash& h) { add_run(h, method, Tether<Real>(Real(2.9), Real(0.6)), start_in_space<Real>); });
     }
-    if constexpr (!for_position_forces<Method>) {
+    if constexpr (Method::takes_damping) {
         row("damped spring", name,
             [&]<class Real>(Hash& h) { add_run(h, method, DampedSpring<Real>(Real(3.1), Real(0.07)), start<Real>); });
         if constexpr (!std::is_same_v<Method, SemiImplicitEulerNewDamping>)
@@ -83,35 +72,28 @@ void print_forces(const Method& method) {
 
 template <class Method>
 void print_systems(const Method& method) {
-    using Y = FirstOrder<double>;
     const char* name = Method::name;
-    if constexpr (
-        requires { method.step(Cooling<double>(), Y(), 0.1); } ||
-        requires { method.step(Cooling<double>(), Y(), Y(), 0.1); }) {
-        row("cooling", name, [&]<class Real>(Hash& h) {
-            add_run(h, method, Cooling<Real>(), FirstOrder<Real>{0, Real(1.1)});
-        });
-        row("complex decay", name, [&]<class Real>(Hash& h) {
-            using V2 = Eigen::Matrix<Real, 2, 1>;
-            const ComplexDecay<Real> decay({Real(-0.03), Real(2.3)});
-            add_run(h, method, decay, FirstOrder<V2>{0, V2(Real(1.1), Real(0.3))});
-        });
-        row("van der Pol", name, [&]<class Real>(Hash& h) {
-            using V2 = Eigen::Matrix<Real, 2, 1>;
-            add_run(h, method, VanDerPol<Real>(Real(5.3)), FirstOrder<V2>{0, V2(Real(1.9), Real(0.1))});
-        });
-        row("Robertson", name, [&]<class Real>(Hash& h) {
-            add_run(h, method, Robertson<Real>(), FirstOrder<Vector3<Real>>{0, Vector3<Real>(1, 0, 0)}, 0.0003);
-        });
-    }
+    row("complex decay", name, [&]<class Real>(Hash& h) {
+        using V2 = Eigen::Matrix<Real, 2, 1>;
+        const ComplexDecay<Real> decay({Real(-0.03), Real(2.3)});
+        add_run(h, method, decay, FirstOrder<V2>{0, V2(Real(1.1), Real(0.3))});
+    });
+    row("van der Pol", name, [&]<class Real>(Hash& h) {
+        using V2 = Eigen::Matrix<Real, 2, 1>;
+        add_run(h, method, VanDerPol<Real>(Real(5.3)), FirstOrder<V2>{0, V2(Real(1.9), Real(0.1))});
+    });
+    row("Robertson", name, [&]<class Real>(Hash& h) {
+        add_run(h, method, Robertson<Real>(), FirstOrder<Vector3<Real>>{0, Vector3<Real>(1, 0, 0)}, 0.0003);
+    });
 }
 
 inline void print_rows() {
-    for_each_method([](const auto& method) { print_forces(method); });
+    for_each_method([](const auto& method) {
+        print_forces(method);
+        if constexpr (!std::is_same_v<std::decay_t<decltype(method)>, SemiImplicitEuler>) print_systems(method);
+    });
     print_forces(semi_implicit_euler_new_damping);
     for_each_verlet_method([](const auto& method) { print_forces(method); });
-    for_each_method([](const auto& method) { print_systems(method); });
-    for_each_verlet_method([](const auto& method) { print_systems(method); });
 }
 
 }  // namespace forces

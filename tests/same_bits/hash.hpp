@@ -1,13 +1,12 @@
 #pragma once
 // A run folded into one number, and the table: for each method its hash in float, and in double.
 
-#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <string>
 #include <type_traits>
-#include <vector>
 
 #include <timestep/rigid/body_scene.hpp>
 #include <timestep/rigid/spin_state.hpp>
@@ -54,26 +53,23 @@ private:
 
 inline constexpr int steps = 10000;
 
-// A row of the table: all runs of a method, or of another rule.
+// All runs of a method, or of another rule.
 struct Row {
-    std::string method;
     Hash in_float, in_double;
 };
-inline std::vector<Row> table;
+inline std::map<std::string, Row> table;
 inline bool prints_scenes = false;
 
-inline void print(const char* name, const Hash& in_float, const Hash& in_double) {
-    std::printf("%016llx  %016llx  %s\n", in_float.value(), in_double.value(), name);
+inline void print(const std::string& name, const Row& row) {
+    std::printf("%016llx  %016llx  %s\n", row.in_float.value(), row.in_double.value(), name.c_str());
 }
 
 // Folds a scene into its method's row. `run` adds to a Hash what it computes with numbers of type Real.
 template <class Run>
-void row(const char* scene, const char* method, const Run& run) {
-    Hash in_float, in_double;
-    run.template operator()<float>(in_float);
-    run.template operator()<double>(in_double);
-    if (prints_scenes) print((std::string(method) + ": " + scene).c_str(), in_float, in_double);
-    auto found = std::find_if(table.begin(), table.end(), [&](const Row& each) { return each.method == method; });
-    if (found == table.end()) found = table.insert(found, {method, {}, {}});
-    found->in_float.add(in_float), found->in_double.add(in_double);
+void row(const std::string& scene, const std::string& method, const Run& run) {
+    Row now;
+    run.template operator()<float>(now.in_float);
+    run.template operator()<double>(now.in_double);
+    if (prints_scenes) print(method + ": " + scene, now);
+    table[method].in_float.add(now.in_float), table[method].in_double.add(now.in_double);
 }
