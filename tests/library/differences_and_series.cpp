@@ -46,15 +46,8 @@ TEMPLATE_TEST_CASE("a difference is as good as it declares", "[differences][N08]
 TEST_CASE("differences of vectors are vectors", "[differences]") {
     const auto circle = [](double t) { return Eigen::Vector2d(std::cos(t), std::sin(t)); };
     const double h = std::exp2(-10), epsilon = std::numeric_limits<double>::epsilon();
-    const Eigen::Vector2d exact(-std::sin(0.5), std::cos(0.5));
-    const auto off = [&](const auto& formula) {
-        const Eigen::Vector2d v = formula(circle, 0.5, h);
-        return (v - exact).cwiseAbs().maxCoeff();
-    };
-    CHECK(off(forward_difference) <= error_bound(forward_difference, h, epsilon, 1));
-    CHECK(off(backward_difference) <= error_bound(backward_difference, h, epsilon, 1));
-    CHECK(off(central_difference) <= error_bound(central_difference, h, epsilon, 1));
-    CHECK(off(five_point_difference) <= error_bound(five_point_difference, h, epsilon, 1));
+    const Eigen::Vector2d off = five_point_difference(circle, 0.5, h) - Eigen::Vector2d(-std::sin(0.5), std::cos(0.5));
+    CHECK(off.cwiseAbs().maxCoeff() <= error_bound(five_point_difference, h, epsilon, 1));
 }
 
 TEMPLATE_TEST_CASE("the optimal step size is where the error bound is smallest", "[differences][N01]",

@@ -3,7 +3,6 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -60,23 +59,6 @@ TEMPLATE_TEST_CASE("springs and dampers of any two sizes have their frequency an
     CHECK(std::fabs(both.zeta - TestType(0.5)) < 4 * eps<TestType>);
 }
 
-// After 1e308 s a damped spring is at rest, though nobody knows at which angle.
-TEMPLATE_TEST_CASE("a damped spring comes to rest, however late one looks", "[library][N17]", float, double) {
-    for (const TestType zeta : {TestType(0.01), TestType(1), TestType(20)}) {
-        const State<TestType> s =
-            DampedSpring<TestType>(100, zeta).exact(State<TestType>{0, 1, 2}, largest<TestType> / 2);
-        INFO("zeta = " << zeta);
-        CHECK(s.x == 0);
-        CHECK(s.v == 0);
-    }
-}
-
-TEST_CASE("weightless, a throw of 1e200 seconds is a straight line", "[library][N12]") {
-    const State<double> s = Projectile(0.0).exact(State<double>{0, 1, 2}, 1e200);
-    CHECK(s.x == 2e200);
-    CHECK(s.v == 2);
-}
-
 // Two frames of 1e308 s are more than a number holds: the second is refused and leaves no trace.
 TEST_CASE("a game loop does not owe more than a number", "[I02][library]") {
     GameLoop loop(1e308, 1);
@@ -131,7 +113,7 @@ TEMPLATE_TEST_CASE("the talk's solver turns a full inertia of any mass", "[libra
     }
 }
 
-// Newton–Raphson measures sizes. Their squares need not be numbers.
+// Newton–Raphson measures sizes whose squares overflow or underflow.
 TEMPLATE_TEST_CASE("Newton-Raphson solves for vectors whose squares are no numbers", "[library][N26]", float, double) {
     using V = Eigen::Matrix<TestType, 2, 1>;
     const bool is_float = sizeof(TestType) == 4;
@@ -152,9 +134,6 @@ TEMPLATE_TEST_CASE("Newton-Raphson solves for vectors whose squares are no numbe
     }
 }
 
-// ---- Runs
-// -----------------------------------------------------------------------------------------
-
 TEST_CASE("a run refuses a step for which the method's own formulas overflow", "[library][N62]") {
     const State<double> start{0, 1, 0};
     CHECK_THROWS_AS(run(velocity_verlet, Projectile(0.0), start, 1e155, 1), std::invalid_argument);
@@ -164,11 +143,10 @@ TEST_CASE("a run refuses a step for which the method's own formulas overflow", "
     CHECK_THROWS_AS(run(implicit_euler, Spring(1e150), start, 1e50, 1), std::invalid_argument);
     CHECK_NOTHROW(run(implicit_euler, Spring(1e150), start, 1.0, 1));
     CHECK_THROWS_AS(run(implicit_euler, DampedSpring(1.0, 1e300), start, 1e10, 1), std::invalid_argument);
-    CHECK_THROWS_AS(
-        run(implicit_euler, CoupledSprings<double, 1>(Eigen::Matrix<double, 1, 1>(1e-300), Eigen::Vector2d(1, 1)),
-            State<Eigen::Matrix<double, 1, 1>>{0, Eigen::Matrix<double, 1, 1>(1.0), Eigen::Matrix<double, 1, 1>(0.0)},
-            1e10, 1),
-        std::invalid_argument);
+    const CoupledSprings light(Eigen::Matrix<double, 1, 1>(1e-300), Eigen::Vector2d(1, 1));
+    const State<Eigen::Matrix<double, 1, 1>> pulled{0, Eigen::Matrix<double, 1, 1>(1.0),
+                                                    Eigen::Matrix<double, 1, 1>(0.0)};
+    CHECK_THROWS_AS(run(implicit_euler, light, pulled, 1e10, 1), std::invalid_argument);
     // h²ω² and 2ζωh are numbers; 1 + both, by which an implicit step divides, is none.
     CHECK_THROWS_AS(run(implicit_euler, DampedSpring(1.1e154, 0.59e154), start, 1.0, 1), std::invalid_argument);
     CHECK_NOTHROW(run(implicit_euler, DampedSpring(1.1e154, 0.1e154), start, 1.0, 1));
@@ -221,39 +199,20 @@ TEST_CASE("an implicit run of a force or a result too large for a number ends an
     const auto blows_up = [](const auto& method, const auto& model, const auto& start, double h) {
         return checked_run(method, model, start, h, 300).blew_up_at;
     };
-    const State<double> fast{0, 0, 1e200};
-    const State<V> far{0, V(1e308, 1e308), V(0, 0)}, fast_2d{0, V(0, 0), V(1e200, 1e200)};
+    const State<V> far{0, V(1e308, 1e308), V(0, 0)}, fast{0, V(0, 0), V(1e200, 1e200)};
     const auto all = [&](const auto& method) {
         INFO(method.name);
+        CHECK(blows_up(method, Drag(1.0), State<double>{0, 0, 1e200}, 1.0) == 1);
         CHECK(blows_up(method, Drag(1.0), fast, 1.0) == 1);
-        CHECK(blows_up(method, Drag(1.0), fast_2d, 1.0) == 1);
         CHECK(blows_up(method, Tether(1e100, 1.0), far, 1.0 / 64) == 1);
-        CHECK(blows_up(method, Decay(-100.0), Y{0, 1e308}, 1.0) == 1);
         CHECK(blows_up(method, ProtheroRobinson(-1e10), Y{0, 1e300}, 1.0) == 1);
         CHECK(blows_up(method, VanDerPol(1.0), FirstOrder<V>{0, V(1e150, 1e150)}, 1.0) == 1);
     };
     all(implicit_euler);
     all(implicit_midpoint);
     all(bdf2);
-    struct Cubic {
-        double acceleration(double x) const { return -x * x * x; }
-        double slope_x(double x) const { return -3 * x * x; }
-    };
-    CHECK(blows_up(implicit_euler, Cubic(), State<double>{0, 1e110, 0}, 1.0 / 64) == 1);
     // Each step multiplies by 20, and 20^237 > 1.8e308.
     CHECK(blows_up(implicit_euler, Decay(0.95), Y{0, 1}, 1.0) == 237);
-}
-
-TEST_CASE("Newton-Raphson does not take an infinite slope for a root", "[library][N26]") {
-    using V = Eigen::Vector2d;
-    CHECK(std::isnan(newton_raphson(
-                         1.0, [](double) { return 1.0; }, [](double) { return INFINITY; })
-                         .x));
-    const V x = newton_raphson(
-                    V(1, 2), [](const V& u) { return u; },
-                    [](const V&) { return Eigen::Matrix2d(V(1, INFINITY).asDiagonal()); })
-                    .x;
-    CHECK(x.hasNaN());
 }
 
 TEST_CASE("a checked run says at which step it left the numbers", "[library][N62]") {
@@ -268,21 +227,6 @@ TEST_CASE("a checked run says at which step it left the numbers", "[library][N62
     CHECK(is_finite(good.state));
     const auto two = checked_run(bdf2, Spring(1.0), State<double>{0, 1e308, 0}, 1.0, 10);  // 4 x₁ overflows
     CHECK(two.blew_up_at == 2);
-}
-
-// Its velocity overflows, as h/2 a is as large as numbers are, and no step reads it.
-TEST_CASE("a checked run of Verlet sees a velocity that comes back", "[library][N62]") {
-    const volatile double large = 1e308;  // else the compiler knows its sine
-    if (std::fabs(std::sin(large) - 0.4533964905016491) > 1e-9) SKIP("the mathematical library has no sine of 1e308");
-    const Pendulum<double> pendulum(1.2546922744040933e154);
-    const State<double> start{0, -1.0151444107220793e308, 1.3161350939390919e308};
-    const double h = 0.32583071412838954;
-    std::vector<bool> finite;
-    const auto see = [&](const State<double>& s) { finite.push_back(is_finite(s)); };
-    CHECK(is_finite(run(verlet, pendulum, start, h, 4, see)));
-    const auto first = std::find(finite.begin(), finite.end(), false) - finite.begin();
-    REQUIRE(first < 4);
-    CHECK(checked_run(verlet, pendulum, start, h, 4).blew_up_at == first);
 }
 
 // One look at the end is enough because of this.

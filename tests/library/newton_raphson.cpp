@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <stdexcept>
 
@@ -32,35 +31,6 @@ TEST_CASE("a linear function needs one correction, and a second one to see that 
     CHECK(evaluations == 2);
 }
 
-TEST_CASE("two equations with two unknowns", "[library]") {
-    // A circle of radius 5 cuts the line y = x + 1 at (3, 4).
-    const Eigen::Vector2d root =
-        newton_raphson(
-            Eigen::Vector2d(2, 5),
-            [](const Eigen::Vector2d& p) { return Eigen::Vector2d(p.squaredNorm() - 25, p.y() - p.x() - 1); },
-            [](const Eigen::Vector2d& p) {
-                Eigen::Matrix2d j;
-                j << 2 * p.x(), 2 * p.y(), -1, 1;
-                return j;
-            })
-            .x;
-    // The first equation's terms are 25 or less and round by 25 ε together with their sum 50 ε; the
-    // inverse of J at the root, rows (1, −8)/14 and (1, 6)/14, passes on 50/14 ε plus the second
-    // equation's 10 ε · 8/14: below 10 ε.
-    CHECK((root - Eigen::Vector2d(3, 4)).norm() < 10 * std::numeric_limits<double>::epsilon());
-}
-
-TEST_CASE("where there is no root it ends near the place that is nearest to one", "[library]") {
-    int evaluations = 0;
-    const auto [x, found] = newton_raphson(
-        0.5, [&](double x) { return ++evaluations, x * x + 1; }, [](double x) { return 2 * x; });
-    CHECK_FALSE(found);
-    // Fifty corrections, and no more halvings of each than a double has digits.
-    CHECK(evaluations < 50 * 53);
-    CHECK(std::fabs(x) < 0.5);
-    CHECK(x * x + 1 < 1.25);
-}
-
 TEST_CASE("a function that rises everywhere is solved from anywhere", "[library]") {
     // The tangents of atan lead away from its root for |x| > 1.39, those of x + 1.99 sin x / 2 round
     // in circles.
@@ -85,16 +55,6 @@ TEST_CASE("a step to where the function is no number is halved, too", "[library]
             4.0, [](double x) { return std::sqrt(x) - 0.01; }, [](double x) { return 0.5 / std::sqrt(x); })
             .x;
     CHECK(std::fabs(root - 1e-4) < 64 * std::numeric_limits<double>::epsilon());
-}
-
-TEST_CASE("a NaN ends it at once", "[library]") {
-    int evaluations = 0;
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double x = newton_raphson(
-                         1.0, [&](double) { return ++evaluations, nan; }, [](double) { return 1.0; })
-                         .x;
-    CHECK(std::isnan(x));
-    CHECK(evaluations == 1);
 }
 
 // Half of infinity is infinity: halving it would never end.
@@ -148,26 +108,22 @@ TEST_CASE("it says whether what it returns is a root", "[library]") {
 // Implicit Euler's equation for a pendulum's new velocity. Its angle rounds by ε times its size, which moves the root
 // by that over h: far more than the roundoff of the velocity.
 TEST_CASE("after hundreds of turns of a pendulum Newton-Raphson reports that it has found the root", "[library]") {
-    const double epsilon = std::numeric_limits<double>::epsilon(), h = 1.0 / 60, pi = std::numbers::pi;
+    const double h = 1.0 / 60, pull = 0.9 / h;
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> from(-1, 1);
-    for (const double turn : {0.5, 0.9, 1.5}) {
-        long solved = 0, known = 0, wrong = 0;
-        for (int i = 0; i < 10'000; ++i) {
-            const double x1 = 2 * pi * 1000 * from(random), v1 = std::pow(10, 3 * from(random)) * from(random);
-            const double pull = turn * turn / h;
-            const auto missing = [&](double v) { return v - v1 + pull * std::sin(x1 + h * v); };
-            const auto root =
-                newton_raphson(v1, missing, [&](double v) { return 1 + h * pull * std::cos(x1 + h * v); });
-            // The sum's roundoff, and the angle's, which the sine passes on.
-            const double roundoff =
-                4 * epsilon * (std::fabs(v1) + std::fabs(root.x) + pull * (1 + std::fabs(x1) + h * std::fabs(root.x)));
-            const bool is_one = std::fabs(missing(root.x)) <= roundoff;
-            solved += is_one, known += is_one && root.found, wrong += !is_one && root.found;
-        }
-        CAPTURE(turn, solved, known, wrong);
-        CHECK(solved > 9000);
-        CHECK(known == solved);
-        CHECK(wrong == 0);
+    long solved = 0, known = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const double x1 = 6283 * from(random), v1 = std::pow(10, 3 * from(random)) * from(random);
+        const auto missing = [&](double v) { return v - v1 + pull * std::sin(x1 + h * v); };
+        const auto [v, found] =
+            newton_raphson(v1, missing, [&](double u) { return 1 + h * pull * std::cos(x1 + h * u); });
+        // The sum's roundoff, and the angle's, which the sine passes on.
+        const double roundoff = 4 * std::numeric_limits<double>::epsilon() *
+                                (std::fabs(v1) + std::fabs(v) + pull * (1 + std::fabs(x1) + h * std::fabs(v)));
+        const bool is_root = std::fabs(missing(v)) <= roundoff;
+        solved += is_root, known += is_root && found;
+        REQUIRE((is_root || !found));
     }
+    CHECK(solved > 18'000);
+    CHECK(known == solved);
 }

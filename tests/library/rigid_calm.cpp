@@ -2,12 +2,10 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <timestep/gyroscopic/calm_half_step.hpp>
-#include <timestep/rigid/exact_free_body.hpp>
 #include <timestep/rigid/shapes.hpp>
 
 #include "random_inertia.hpp"
@@ -15,61 +13,28 @@
 
 using namespace timestep;
 using V = Vector3<double>;
-using Body = PrincipalInertia<double>;
 
-namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-// How far energy and |L| have ever been off.
-struct Off {
-    double energy = 0, momentum = 0;
-};
-template <class Solver, class Real, class Step>
-Off off(const Solver& solver, const PrincipalInertia<Real>& I, Vector3<Real> w, long steps, const Step& h) {
-    const double E = energy(I, w), L = momentum(I, w);
-    Off most;
-    for (long n = 0; n < steps; ++n) {
-        w = solver.step(I, w, Real(h(n)));
-        const double e = std::fabs(energy(I, w) / E - 1), l = std::fabs(momentum(I, w) / L - 1);
-        most.energy = e <= most.energy ? most.energy : e;
-        most.momentum = l <= most.momentum ? most.momentum : l;
-    }
-    return most;
-}
-
-}  // namespace
+static constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // A few ε a step, more where a division by Δ above 15/16 and moments of 1000:1 make of one rounding
 // more: 200 steps of up to 32 substeps, each a few roundings, of which most cancel.
 TEST_CASE("the calm half-step keeps energy and |L| of any body at any spin", "[library][ch8]") {
-    for (const unsigned long seed : {1ul, 20ul, 300ul}) {
-        RandomInertia random(seed);
-        for (const double size : {0.3, 0.5, 1.0, 2.0, 4.0, 8.0, 30.0, 300.0})
-            for (int i = 0; i < 150; ++i) {
-                const auto I = random.inertia<double>(1000);
-                const V w = size * random.direction<double>();
-                INFO("h|ω| = " << size << ", I = " << I.moments.transpose() << ", w = " << w.transpose());
-                const Off o = off(calm_half_step, I, w, 200, [](long) { return 1.0; });
-                REQUIRE(o.energy < 200 * 8 * epsilon);
-                REQUIRE(o.momentum < 200 * 32 * 8 * epsilon);
+    RandomInertia random(1);
+    for (const double size : {0.3, 0.5, 1.0, 2.0, 4.0, 8.0, 30.0, 300.0})
+        for (int i = 0; i < 150; ++i) {
+            const auto I = random.inertia<double>(1000);
+            const V w = size * random.direction<double>();
+            INFO("h|ω| = " << size << ", I = " << I.moments.transpose() << ", w = " << w.transpose());
+            const double E = energy(I, w), L = momentum(I, w);
+            V now = w;
+            bool kept = true;
+            for (int n = 0; n < 200; ++n) {
+                now = calm_half_step.step(I, now, 1.0);
+                kept = kept && std::fabs(energy(I, now) / E - 1) < 200 * 8 * epsilon &&
+                       std::fabs(momentum(I, now) / L - 1) < 200 * 32 * 8 * epsilon;
             }
-    }
-}
-
-TEST_CASE("the calm half-step has the half-step Jacobian's error for slow spins, and less for fast ones",
-          "[library][ch8]") {
-    const auto I = box(12.0, 1.0, 2.0, 3.0);
-    const auto error = [&](const auto& solver, const V& omega, long steps) {
-        const ExactFreeBody<double> exact(I, {0, Quaternion<double>::Identity(), omega});
-        const auto end = exact(1);
-        V w = omega;
-        for (long n = 0; n < steps; ++n) w = solver.step(I, w, 1 / double(steps));
-        return (w - end.q.conjugate() * end.omega).norm();
-    };
-    CHECK(error(calm_half_step, V(1, 2, 2), 60) < 2 * error(half_step_jacobian, V(1, 2, 2), 60));
-    // At 60 rad/s and 60 Hz substeps tell the time, and one step does not.
-    CHECK(error(calm_half_step, V(20, 40, 40), 60) < error(half_step_jacobian, V(20, 40, 40), 60) / 2);
+            REQUIRE(kept);
+        }
 }
 
 TEMPLATE_TEST_CASE("the calm half-step at the edges of what numbers can hold", "[library][ch8]", float, double) {
@@ -118,22 +83,4 @@ TEST_CASE("in float the calm half-step keeps energy and |L| for an hour", "[libr
             CHECK(std::fabs(energy(I, w) / E - 1) < 1e-3);
             CHECK(std::fabs(momentum(I, w) / L - 1) < 1e-3);
         }
-}
-
-// As engines have it: ω in the world, the orientation turned by the new ω, steps that vary.
-TEMPLATE_TEST_CASE("with an orientation, and omega in the world, energy and |L| stay as well", "[library][ch8]", float,
-                   double) {
-    using Real = TestType;
-    // Each step rounds some twenty times, as often up as down.
-    const double roundoff = 20 * 190 * double(std::numeric_limits<Real>::epsilon());
-    const auto I = box(Real(12), Real(1), Real(2), Real(3));
-    for (const Real spin : {Real(10), Real(60)}) {
-        RigidState<Real> s{0, Quaternion<Real>::Identity(), spin * Vector3<Real>(Real(0.6), Real(0.64), Real(0.48))};
-        const double E = energy(I, s.omega), L = momentum(I, s.omega);
-        for (int n = 0; n < 36000; ++n)
-            s = step_rotation(calm_half_step, I, s, Real(n % 3 == 0 ? 1.0 / 60 : 1.0 / 120));
-        const Vector3<Real> w = s.q.conjugate() * s.omega;
-        CHECK(std::fabs(energy(I, w) / E - 1) < roundoff);
-        CHECK(std::fabs(momentum(I, w) / L - 1) < roundoff);
-    }
 }

@@ -9,16 +9,11 @@
 #include <timestep/rigid/ball_and_remainder.hpp>
 
 #include "random_inertia.hpp"
+#include "spins.hpp"
 
 using namespace timestep;
 
 namespace {
-
-// The energy, twice, reckoned in double whatever the body's numbers.
-template <class Real>
-double energy(const PrincipalInertia<Real>& I, const Vector3<Real>& omega) {
-    return omega.template cast<double>().cwiseAbs2().dot(I.moments.template cast<double>());
-}
 
 // In y = √I ω the implicit equation is y₂ + h g∘(y₂y₃, y₃y₁, y₁y₂) = y₁: what is missing, over |y₁|.
 template <class Real>
@@ -36,25 +31,6 @@ double missing(const PrincipalInertia<Real>& I, const Vector3<Real>& omega1, con
 constexpr double sizes[] = {1e-3, 1e-2, 0.1, 0.3, 1, 2, 10, 100, 1e3, 1e4, 1e5, 1e6};
 
 }  // namespace
-
-// The exact step does not gain. Rounding: some ten operations a component, each of relative size ε/2,
-// added to |y₂| ≤ |y₁|; the energy is its square. 8 ε is what is promised.
-TEMPLATE_TEST_CASE("the passive step never adds energy", "[library][N51][long]", float, double) {
-    const double epsilon = std::numeric_limits<TestType>::epsilon();
-    RandomInertia random(2015);
-    double worst = 0;
-    long strange = 0;
-    for (const double size : sizes)
-        for (int i = 0; i < 90000; ++i) {
-            const auto I = random.inertia<TestType>(1e6);
-            const Vector3<TestType> omega = random.direction<TestType>();
-            const Vector3<TestType> after = passive_gyroscopic.step(I, omega, TestType(size));
-            worst = std::max(worst, energy(I, after) / energy(I, omega));
-            strange += !after.allFinite();
-        }
-    CHECK(strange == 0);
-    CHECK(worst <= 1 + 8 * epsilon);
-}
 
 TEMPLATE_TEST_CASE("implicit Euler solved to the end never adds energy, and is solved for every body",
                    "[library][N51][N48][long]", float, double) {
@@ -135,14 +111,13 @@ TEST_CASE("in float a symmetric body keeps its energy for an hour", "[library][N
 TEST_CASE("in float a splitting keeps |L| for an hour", "[library][ch8]") {
     RandomInertia random(3);
     double worst = 0;
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 2; ++i) {
         const auto I = random.inertia<float>(10);
         const RemainderInertia<float> parts(I);
-        SpinState<float> s{0, Quaternion<float>::Identity(), 10 * random.direction<float>()};
-        const auto momentum = [&] { return parts.unit.cast<double>().cwiseProduct(s.omega.cast<double>()).norm(); };
-        const double before = momentum();
+        SpinState<float> s = spinning<float>(10 * random.direction<float>());
+        const double before = momentum(I, s.omega);
         for (int n = 0; n < 216000; ++n) s = ball_and_remainder_4.step(parts, s, 1 / 60.0f);
-        worst = std::max(worst, std::fabs(momentum() / before - 1));
+        worst = std::max(worst, std::fabs(momentum(I, s.omega) / before - 1));
     }
     CHECK(worst < 5e-4);  // thirteen turns a step, roundoffs either way: √2.8 million of them are 1e-4
 }

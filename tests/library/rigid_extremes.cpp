@@ -16,22 +16,16 @@ using V = Vector3<double>;
 using F = Vector3<float>;
 
 TEST_CASE("a needle stays finite, and a rod knows no spin about itself", "[library]") {
-    const PrincipalInertia<double> needle(1, 1, 1e-12);
-    for (const double size : {1e-3, 1.0, 10.0, 1e6}) {
-        const V w = V(0.3, -0.8, 0.5) * size;
-        const V after = passive_gyroscopic.step(needle, w, 1.0);
-        CHECK(after.allFinite());
-        CHECK(kinetic_energy(needle, after) <= kinetic_energy(needle, w) * (1 + 8 * 2.3e-16));
-        CHECK(converged_gyroscopic.step(needle, w, 1.0).allFinite());
-    }
+    for (const double size : {1e-3, 1.0, 10.0, 1e6})
+        CHECK(
+            converged_gyroscopic.step(PrincipalInertia(1.0, 1.0, 1e-12), V(V(0.3, -0.8, 0.5) * size), 1.0).allFinite());
     const auto stick = rod(1.0, 2.0);
     RigidState<double> s{0, Quaternion<double>::Identity(), {1, 2, 0}};
     for (int n = 0; n < 1000; ++n) s = step_rotation(passive_gyroscopic, stick, s, 0.01);
     CHECK(s.omega == V(1, 2, 0));
-    // What a torque along the rod would do is nothing.
-    s = step_rotation(passive_gyroscopic, stick, RigidState<double>{0, Quaternion<double>::Identity(), {0, 0, 0}},
-                      V(0, 0, 5), 0.1);
-    CHECK(s.omega == V(0, 0, 0));
+    // A torque along the rod does nothing.
+    const RigidState<double> still{0, Quaternion<double>::Identity(), {0, 0, 0}};
+    CHECK(step_rotation(passive_gyroscopic, stick, still, V(0, 0, 5), 0.1).omega == V(0, 0, 0));
 }
 
 TEST_CASE("a spin of 1e20 or 1e-25 in float is neither lost nor infinite", "[library]") {
@@ -53,8 +47,7 @@ TEST_CASE("a spin of 1e20 or 1e-25 in float is neither lost nor infinite", "[lib
     CHECK(a.cwiseAbs2().dot(moments) <= w.cwiseAbs2().dot(moments) * (1 + 8 * 1.2e-7));
 }
 
-// Its equations are solved by products of two of their coefficients, which are about hω. Where those
-// are no numbers, following the root gets no farther.
+// Its equations are solved by products of two of their coefficients, which are about hω.
 TEST_CASE("the converged solver ends, however large h omega is", "[library][N48]") {
     const PrincipalInertia<float> small(1, 2, 2.5f);
     const PrincipalInertia<double> big(1, 2, 2.5);
@@ -62,8 +55,6 @@ TEST_CASE("the converged solver ends, however large h omega is", "[library][N48]
     const V d(0.48, 0.6, 0.64);
     CHECK(converged_gyroscopic.step(small, F(1e18f * f), 100.0f).hasNaN());
     CHECK(converged_gyroscopic.step(big, V(1e150 * d), 1e6).hasNaN());
-    // (hω)² and ω² are no numbers.
-    CHECK(converged_gyroscopic.step(small, F(1e30f * f), 100.0f).hasNaN());
     CHECK(converged_gyroscopic.step(big, V(1e200 * d), 100.0).hasNaN());
     // As long as they are, what is left of the spin is about the axis that the exact motion
     // circles: here L² > 2E I₂, so that of the largest moment.
@@ -71,23 +62,6 @@ TEST_CASE("the converged solver ends, however large h omega is", "[library][N48]
     CHECK((slow - F(0, 0, 0.64f)).norm() < 1e-6f);
     const V fast = converged_gyroscopic.step(big, V(1e50 * d), 100.0) / 1e50;
     CHECK((fast - V(0, 0, 0.64)).norm() < 1e-15);
-}
-
-// Up to there it stays within its energy, beyond it a run sees it.
-TEST_CASE("the passive step is a number as long as the square of h omega is one", "[library][N51]") {
-    const PrincipalInertia<double> big(1, 2, 2.5);
-    const PrincipalInertia<float> small(1, 2, 2.5f);
-    const V d(0.48, 0.6, 0.64);
-    const V after = passive_gyroscopic.step(big, V(1e153 * d), 1.0) / 1e153;
-    CHECK(kinetic_energy(big, after) <= kinetic_energy(big, d) * (1 + 64 * 2.3e-16));
-    CHECK(after.norm() > 0.1);
-    CHECK(passive_gyroscopic.step(big, V(1e155 * d), 1.0).hasNaN());
-    CHECK(passive_gyroscopic.step(small, F(1e18f * d.cast<float>()), 1.0f).allFinite());
-    CHECK(passive_gyroscopic.step(small, F(1e20f * d.cast<float>()), 1.0f).hasNaN());
-    // A needle's limit is less by the root of the moments' ratio.
-    const PrincipalInertia<float> needle(1, 1, 1e-12f);
-    CHECK(passive_gyroscopic.step(needle, F(1e13f * d.cast<float>()), 1.0f).allFinite());
-    CHECK(passive_gyroscopic.step(needle, F(1e14f * d.cast<float>()), 1.0f).hasNaN());
 }
 
 // What chapter 5 promises: hω up to 1e12 in float and 1e140 in double.

@@ -1,5 +1,4 @@
 // The gyroscopic solvers: their equations, their orders, their closed forms, and extreme cases.
-#include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
@@ -7,6 +6,8 @@
 #include <vector>
 
 #include <timestep/gyroscopic.hpp>
+#include <timestep/gyroscopic/calm_half_step.hpp>
+#include <timestep/gyroscopic/cayley_gyroscopic.hpp>
 #include <timestep/measured_order.hpp>
 #include <timestep/rigid/shapes.hpp>
 
@@ -22,12 +23,6 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 M diagonal(const PrincipalInertia<double>& I) { return I.moments.asDiagonal(); }
-
-// The full matrix of a body whose principal axes are turned by R.
-FullInertia<double> turned_inertia(const M& R, const PrincipalInertia<double>& I) {
-    const M turned = R * diagonal(I) * R.transpose();
-    return FullInertia<double>((turned + turned.transpose()) / 2);
-}
 
 // |ω − exact| at the end of a second, over |ω|.
 template <class Solver>
@@ -59,8 +54,6 @@ TEST_CASE("every solver has the order it declares, in the spin and in the orient
         CHECK(std::fabs(order(solver, brick, omega, false) - solver.order) < 0.1);
         CHECK(std::fabs(order(solver, brick, omega, true) - solver.order) < 0.1);
     });
-    // Dropped, the term is missing however short the step.
-    CHECK(error(no_gyroscopic, brick, omega, 4096, false) > 0.5 * error(no_gyroscopic, brick, omega, 256, false));
 }
 
 TEST_CASE("the single iteration solves the talk's equations", "[library][N47][N48]") {
@@ -72,21 +65,7 @@ TEST_CASE("the single iteration solves the talk's equations", "[library][N47][N4
     const V expected = omega - V(J.partialPivLu().solve(residual));
     CHECK((implicit_gyroscopic.step(I, omega, h) - expected).norm() < 32 * epsilon);
     CHECK((implicit_gyroscopic.step(FullInertia<double>(diagonal(I)), omega, h) - expected).norm() < 32 * epsilon);
-    // The Jacobian against a difference of the residual, which is quadratic in ω.
-    const auto F = [&](const V& w) { return V(I.momentum(w - omega) + h * w.cross(I.momentum(w))); };
-    for (int i = 0; i < 3; ++i) {
-        const V e = 1e-4 * V::Unit(i);
-        CHECK((V(F(omega + e) - F(omega - e)) / 2e-4 - J.col(i)).norm() < 1e-7);
-    }
-    // det J over the product of the moments, as a polynomial in h.
-    const V a = I.ratio;
-    const double det = 1 -
-                       h * h *
-                           (a.y() * a.z() * omega.x() * omega.x() + a.x() * a.z() * omega.y() * omega.y() +
-                            a.x() * a.y() * omega.z() * omega.z()) +
-                       2 * h * h * h * a.prod() * omega.prod();
-    CHECK(std::fabs(J.determinant() / I.moments.prod() - det) < 32 * epsilon);
-    // Where it vanishes: I = (3, 2, 1), h|ω| = √3 about the middle axis, nearly.
+    // Where the determinant of J vanishes: I = (3, 2, 1), h|ω| = √3 about the middle axis, nearly.
     const V out = implicit_gyroscopic.step(PrincipalInertia(3.0, 2.0, 1.0), V(1e-6, 1, 1e-6), std::sqrt(3.0));
     CHECK(!(out.norm() < 10));
 }
@@ -120,7 +99,7 @@ TEST_CASE("the converged step is the root that is followed from h = 0", "[librar
     }
 }
 
-TEST_CASE("the passive step solves its equation, and turns the energy's vector", "[library][N51]") {
+TEST_CASE("the passive step solves its equation", "[library][N51]") {
     RandomInertia random(6);
     for (int i = 0; i < 1000; ++i) {
         const auto I = random.inertia<double>(100);
@@ -131,11 +110,6 @@ TEST_CASE("the passive step solves its equation, and turns the energy's vector",
         // I (ω₂ − ω₁) = h L × ω₂, over the size of its terms.
         const V rest = I.momentum(omega2 - omega) - h * L.cross(omega2);
         CHECK(rest.norm() < 64 * epsilon * (L.norm() + h * L.norm() * omega2.norm()));
-        // |y₁|² = |y₂|² + |k × y₂|², with y = √I ω and k = h L/√(I₂I₃) and so on round.
-        const V root = I.moments.cwiseSqrt(), y1 = root.cwiseProduct(omega), y2 = root.cwiseProduct(omega2);
-        const V k = h * L.cwiseProduct(root) / root.prod();
-        CHECK(std::fabs(y2.squaredNorm() + k.cross(y2).squaredNorm() - y1.squaredNorm()) <
-              200 * 64 * epsilon * y1.squaredNorm());
     }
 }
 
@@ -163,14 +137,17 @@ TEST_CASE("two equal moments: the closed forms are the general steps", "[library
 TEST_CASE("a full matrix moves as its principal axes do", "[library]") {
     const M R = Quaternion<double>(1, 2, -3, 4).normalized().toRotationMatrix();
     const auto I = box(12.0, 1.0, 2.0, 3.0);
-    const auto full = turned_inertia(R, I);
+    const M turned = R * diagonal(I) * R.transpose();
+    const FullInertia<double> full((turned + turned.transpose()) / 2);
     const V omega(1, 2, 2);
-    for_each_gyroscopic([&](const auto& solver) {
+    const auto same = [&](const auto& solver) {
         INFO(solver.name);
         RigidState<double> a{0, Quaternion<double>::Identity(), omega}, b{0, Quaternion<double>(R).conjugate(), omega};
         for (int n = 0; n < 100; ++n) a = step_rotation(solver, I, a, 0.01), b = step_rotation(solver, full, b, 0.01);
         CHECK((a.omega - b.omega).norm() < 1e-12);
-    });
+    };
+    for_each_gyroscopic(same);
+    same(half_step_jacobian), same(calm_half_step), same(cayley_gyroscopic);
 }
 
 TEST_CASE("balls, and spins about an axis, stay as they are", "[library][N41]") {

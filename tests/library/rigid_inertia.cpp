@@ -22,7 +22,6 @@ using M = Matrix3<double>;
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-const double infinite = std::numeric_limits<double>::infinity(), nothing = std::nan("");
 
 // The moments of a solid of density one by summing small cells: ∫(y² + z²) and so on.
 template <class Inside>
@@ -47,22 +46,11 @@ TEST_CASE("an inertia that no body has is refused, with the rule it breaks", "[l
     const auto refused = [](const auto& make, const char* message) {
         CHECK_THROWS_MATCHES(make(), std::invalid_argument, Message(message));
     };
-    const char* positive = "moment of inertia = 0: must be finite and greater than zero";
-    refused([] { return UniformInertia(0.0); }, positive);
-    refused([] { return RodInertia(0.0); }, positive);
-    refused([] { return SymmetricInertia(1.0, 0.0); }, positive);
-    refused([] { return PrincipalInertia(1.0, 0.5, 0.0); }, positive);
+    refused([] { return UniformInertia(0.0); }, "moment of inertia = 0: must be finite and greater than zero");
     refused([] { return PrincipalInertia(1.0, -0.5, 1.0); },
             "moment of inertia = -0.5: must be finite and greater than zero");
-    refused([] { return PrincipalInertia(1.0, nothing, 1.0); },
-            "moment of inertia = nan: must be finite and greater than zero");
-    refused([] { return PrincipalInertia(1.0, infinite, 1.0); },
-            "moment of inertia = inf: must be finite and greater than zero");
     const char* triangle =
         "moment of inertia = 3: must be at most the sum of the other two moments, 2; it exceeds that by 1";
-    refused(
-        [] { return PrincipalInertia(1.0, 1.0, 2.0000001); },
-        "moment of inertia = 2.0000001: must be at most the sum of the other two moments, 2; it exceeds that by 1e-07");
     refused([] { return PrincipalInertia(1.0, 2 + 1e-13, 1.0); },
             "moment of inertia = 2: must be at most the sum of the other two moments, 2; it exceeds that by 9.99e-14");
     refused([] { return PrincipalInertia(1.0, 3.0, 1.0); }, triangle);
@@ -70,8 +58,6 @@ TEST_CASE("an inertia that no body has is refused, with the rule it breaks", "[l
     refused([] { return PrincipalInertia(1.0, 1.0, 3.0); }, triangle);
     refused([] { return SymmetricInertia(1.0, 3.0); }, triangle);
     refused([] { return FullInertia<double>(M(V(1, 3, 1).asDiagonal())); }, triangle);
-    refused([] { return FullInertia<double>(M(V(1, -1, 1).asDiagonal())); },
-            "moment of inertia = -1: must be finite and greater than zero");
     refused(
         [] {
             M lopsided = M::Identity();
@@ -82,14 +68,12 @@ TEST_CASE("an inertia that no body has is refused, with the rule it breaks", "[l
     refused(
         [] {
             M hole = M::Identity();
-            hole(2, 2) = nothing;
+            hole(2, 2) = NAN;
             return FullInertia<double>(hole);
         },
         "inertia = nan: must be a finite number");
     refused([] { return box(1.0, 1.0, 0.0, 1.0); }, "side = 0: must be finite and greater than zero");
     refused([] { return capsule(-1.0, 1.0, 1.0); }, "mass = -1: must be finite and greater than zero");
-    refused([] { return sphere(1.0, -1.0); }, "radius = -1: must be finite and greater than zero");
-    refused([] { return cylinder(1.0, 1.0, nothing); }, "length = nan: must be finite and greater than zero");
 }
 
 TEST_CASE("an exact plate is a body, and one that is thinner than nothing is not", "[library]") {
@@ -138,46 +122,27 @@ TEST_CASE("a matrix that cannot know its least moment is refused, in float and i
     CHECK_NOTHROW(FullInertia<double>(M(V(1, 1, 1e-6).asDiagonal())));
     CHECK_THROWS_AS(FullInertia<double>(M(V(1, 1, 1e-15).asDiagonal())), std::invalid_argument);
     CHECK_NOTHROW(PrincipalInertia<float>(1, 1, 1e-6f));
-
-    // What is let through is known to a sixth, in any axes.
-    std::mt19937_64 turns(10);
-    std::normal_distribution<double> normal;
-    for (int i = 0; i < 20000; ++i) {
-        const Quaternion<double> q(normal(turns), normal(turns), normal(turns), normal(turns));
-        const M R = q.normalized().toRotationMatrix();
-        const double least = 150 * std::numeric_limits<float>::epsilon();
-        const M I = R * V(least, 1, 1).asDiagonal() * R.transpose();
-        const Matrix3<float> rough = I.cast<float>();
-        const FullInertia<float> needle(Matrix3<float>((rough + rough.transpose()) / 2));
-        REQUIRE(std::fabs(needle.principal.moments.x() / least - 1) < 1 / 6.0);
-    }
 }
 
-// Cells on the surface are in or out as a whole: a layer of half a cell is in doubt, which changes a
-// moment by less than its area times half a cell, some 5 cells of 60: we allow 3 %.
+// Cells on the surface are in or out as a whole. Half a cell of 60 changes a moment by less than 3 %.
 TEST_CASE("shapes have the moments of their mass, summed up cell by cell", "[library]") {
-    const auto agree = [](const M& sum, const V& moments) {
+    const auto agree = [](double reach, const V& moments, const auto& inside) {
+        const M sum = summed(reach, 60, inside);
         CHECK((sum.diagonal() - moments).norm() < 0.03 * moments.norm());
         CHECK((sum - M(sum.diagonal().asDiagonal())).norm() < 1e-9);
     };
-    agree(summed(1.0, 60, [](const V& r) { return r.norm() < 1; }), V::Constant(sphere(1.0, 1.0).moment));
-    agree(summed(1.0, 60, [](const V& r) { return r.cwiseAbs().maxCoeff() < 0.8; }),
-          V::Constant(cube(1.0, 1.6).moment));
-    agree(summed(1.5, 60,
-                 [](const V& r) { return std::fabs(r.x()) < 0.5 && std::fabs(r.y()) < 1 && std::fabs(r.z()) < 1.5; }),
-          box(1.0, 1.0, 2.0, 3.0).moments);
+    const auto block = [](double a, double b, double c) {
+        return [half = V(V(a, b, c) / 2)](const V& r) { return (r.cwiseAbs().array() < half.array()).all(); };
+    };
     const auto round = [](const SymmetricInertia<double>& I) { return V(I.across, I.across, I.along); };
-    agree(summed(1.0, 60, [](const V& r) { return r.head<2>().norm() < 0.5 && std::fabs(r.z()) < 1; }),
-          round(cylinder(1.0, 0.5, 2.0)));
-    agree(summed(1.0, 60,
-                 [](const V& r) {
-                     const V inside(0, 0, std::clamp(r.z(), -0.6, 0.6));
-                     return (r - inside).norm() < 0.4;
-                 }),
-          round(capsule(1.0, 0.4, 1.2)));
-    agree(summed(1.0, 80,
-                 [](const V& r) { return std::fabs(r.x()) < 0.1 && std::fabs(r.y()) < 0.1 && std::fabs(r.z()) < 1; }),
-          round(staff(1.0, 2.0, 0.2)));
+    agree(1, V::Constant(sphere(1.0, 1.0).moment), [](const V& r) { return r.norm() < 1; });
+    agree(1, V::Constant(cube(1.0, 1.6).moment), block(1.6, 1.6, 1.6));
+    agree(1.5, box(1.0, 1.0, 2.0, 3.0).moments, block(1, 2, 3));
+    agree(1, round(staff(1.0, 2.0, 0.4)), block(0.4, 0.4, 2));
+    agree(1, round(cylinder(1.0, 0.5, 2.0)),
+          [](const V& r) { return r.head<2>().norm() < 0.5 && std::fabs(r.z()) < 1; });
+    agree(1, round(capsule(1.0, 0.4, 1.2)),
+          [](const V& r) { return (r - V(0, 0, std::clamp(r.z(), -0.6, 0.6))).norm() < 0.4; });
     // A rod is the limit of a thin staff.
     CHECK(std::fabs(rod(3.0, 2.0).moment - staff(3.0, 2.0, 1e-6).across) < 1e-11);
 }
@@ -207,18 +172,13 @@ TEST_CASE("moments that cannot be scaled are refused", "[library]") {
     const auto refused = [](float I1, float I2, float I3, const char* message) {
         CHECK_THROWS_MATCHES(PrincipalInertia<float>(I1, I2, I3), std::invalid_argument, Message(message));
     };
-    const char* far = "moment of inertia = 1e-38: must be so large that the largest over it is finite";
-    refused(1e38f, 1e38f, 1e-38f, far);
-    refused(1e38f, 1e-38f, 1e38f, far);
-    refused(1e-38f, 1e38f, 1e38f, far);
-    refused(1, 1, 1e-45f, "moment of inertia = 1.4013e-45: must be so large that the largest over it is finite");
+    refused(1e38f, 1e38f, 1e-38f, "moment of inertia = 1e-38: must be so large that the largest over it is finite");
     refused(5e-45f, 4e-45f, 1.4e-45f,
             "moment of inertia = 1.4013e-45: must be such that the moments over their geometric "
             "mean have the product one");
     CHECK_THROWS_AS(PrincipalInertia<double>(1e200, 1e200, 1e-200), std::invalid_argument);
     CHECK_THROWS_AS(PrincipalInertia<double>(5e-324, 5e-324, 5e-324 * 2), std::invalid_argument);
     CHECK_NOTHROW(PrincipalInertia<float>(1, 1, 1e-38f));
-    CHECK_NOTHROW(PrincipalInertia<float>(1e38f, 1e38f, 1));
     CHECK_NOTHROW(PrincipalInertia<double>(1e300, 1e300, 1e-7));
     // In lanes: any of them.
     using L = Lanes<float>;
@@ -237,14 +197,6 @@ TEST_CASE("a full matrix whose inverse is no number is refused", "[library]") {
                          Message("least moment of inertia = 2e-39: must be so large that the "
                                  "inverse of the matrix is finite"));
     CHECK(even(4e-39f).inverse.allFinite());
-}
-
-TEST_CASE("three equations by hand agree with the general solve", "[library][N48]") {
-    M A;
-    A << 4, 1, -2, 0.5, 3, 1, -1, 2, 5;
-    const V b(1, 2, 3);
-    CHECK((solve3(A, b) - V(A.partialPivLu().solve(b))).norm() < 16 * epsilon);
-    CHECK((A * solve3(A, b) - b).norm() < 32 * epsilon);
 }
 
 TEST_CASE("the orientation turns by nearly h omega, keeps its length and undoes itself", "[library][N42]") {

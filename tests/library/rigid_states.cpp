@@ -62,25 +62,6 @@ static_assert(Turns<RigidState<double>> && !Turns<Spin>);
 static_assert(Flies<Spin> && !Flies<RigidState<double>>);
 static_assert(!becomes<Spin, RigidState<double>> && !becomes<RigidState<double>, Spin>);
 
-// What only computes cannot throw.
-template <class... Solvers>
-constexpr bool all_quiet =
-    (noexcept(Solvers{}.step(std::declval<const PrincipalInertia<double>&>(), std::declval<V>(), 0.1)) && ...) &&
-    (noexcept(Solvers{}.step(std::declval<const SymmetricInertia<double>&>(), std::declval<V>(), 0.1)) && ...) &&
-    (noexcept(Solvers{}.step(std::declval<const FullInertia<double>&>(), std::declval<V>(), 0.1)) && ...);
-static_assert(
-    all_quiet<PassiveGyroscopic, CalmHalfStep, CayleyGyroscopic, ImplicitGyroscopic, ExplicitGyroscopic, NoGyroscopic>);
-static_assert(noexcept(HalfStepJacobian{}.step(std::declval<const PrincipalInertia<double>&>(), std::declval<V>(),
-                                               0.1)));
-static_assert(noexcept(Strang{}.step(std::declval<const PrincipalInertia<double>&>(), std::declval<Spin>(), 0.1)));
-static_assert(noexcept(BallAndRemainder2{}.step(std::declval<const RemainderInertia<double>&>(), std::declval<Spin>(),
-                                                0.1)));
-static_assert(noexcept(BallAndRemainder4{}.step(std::declval<const RemainderInertia<double>&>(), std::declval<Spin>(),
-                                                0.1)));
-static_assert(noexcept(rotated(std::declval<Quaternion<double>>(), std::declval<V>(), 0.1)) && noexcept(
-    rotated_in_body(std::declval<Quaternion<double>>(), std::declval<V>(), 0.1)));
-static_assert(noexcept(in_world(std::declval<Spin>())) && noexcept(in_body(std::declval<RigidState<double>>())));
-
 template <class Real>
 constexpr bool bare = sizeof(OmegaBody<Real>) == sizeof(Vector3<Real>) &&
                       sizeof(OmegaWorld<Real>) == sizeof(Vector3<Real>) &&

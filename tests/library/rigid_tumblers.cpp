@@ -58,37 +58,6 @@ TEST_CASE("the solvers solve the equations that they say", "[library][ch8]") {
     }
 }
 
-TEST_CASE("the half-step Jacobian takes a full matrix as its principal axes", "[library][ch8]") {
-    RandomInertia random(12);
-    for (int i = 0; i < 100; ++i) {
-        const auto I = random.inertia<double>(10);
-        const Matrix3<double> R = rotation_by(V(3 * random.direction<double>())).toRotationMatrix();
-        const Matrix3<double> matrix = R * I.moments.asDiagonal() * R.transpose();
-        const FullInertia<double> full((matrix + matrix.transpose()) / 2);
-        const V w = random.direction<double>();
-        const V expected = R * half_step_jacobian.step(I, w, 0.3);
-        CHECK((half_step_jacobian.step(full, V(R * w), 0.3) - expected).norm() < 1e-12);
-    }
-}
-
-// y turns about t: y + 2(t × y + t × (t × y))/(1 + t·t). The last term is up to 2|y| long. Thirteen roundings make it,
-// half an ε each on the worst day: four t·t, two the share, one its product with y, and three each cross product with
-// its scale. The energy counts them twice.
-TEMPLATE_TEST_CASE("the Cayley step keeps the energy of any body, for every step", "[library][ch8]", float) {
-    RandomInertia random(3);
-    const double eps = std::numeric_limits<TestType>::epsilon();
-    double worst = 0;
-    for (double size = 1e-3; size < 2e6; size *= 10)
-        for (int i = 0; i < 4000; ++i) {
-            const auto I = random.inertia<TestType>(1e6);
-            const Vector3<TestType> w = TestType(size) * random.direction<TestType>();
-            const auto after = cayley_gyroscopic.step(I, w, TestType(1));
-            worst = std::max(worst, std::fabs(energy(I, after) / energy(I, w) - 1));
-            if (!after.allFinite()) worst = INFINITY;
-        }
-    CHECK(worst <= 26 * eps);
-}
-
 // Each turn rounds its sine and cosine, and some six products: 2 ε a turn, and 13 turns.
 TEMPLATE_TEST_CASE("splittings keep |L| of any body, for every step", "[library][ch8]", float, double) {
     const double eps = std::numeric_limits<TestType>::epsilon();
@@ -120,30 +89,6 @@ TEST_CASE("the splittings keep the momentum in the world, too", "[library][ch8]"
     });
 }
 
-// (1 − ε²α₃α₁ω₂²)/(1 − ε²α₁α₂ω₃²) with ε = h/2 and α = −ratio; and once round.
-TEST_CASE("the half-step Jacobian keeps Kahan's quantities", "[library][ch8]") {
-    const auto I = box(12.0, 1.0, 2.0, 3.0);
-    const double h = 0.05;
-    const auto kept = [&](const V& w, int i) {
-        const V alpha = -I.ratio;
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const auto part = [&](int a, int b, int c) { return 1 - h * h / 4 * alpha[a] * alpha[b] * w[c] * w[c]; };
-        return part(k, i, j) / part(i, j, k);
-    };
-    V w(3, 10, -2);
-    const V first = w;
-    double least = 1, most = 0;
-    for (int n = 0; n < 100000; ++n) {
-        w = half_step_jacobian.step(I, w, h);
-        const double E = kinetic_energy(I, w) / kinetic_energy(I, first);
-        least = std::min(least, E), most = std::max(most, E);
-    }
-    // 1e5 steps, a few ε each, either way.
-    for (int i = 0; i < 3; ++i) CHECK(std::fabs(kept(w, i) / kept(first, i) - 1) < 1e-12);
-    CHECK(most - least < 0.05);  // the energy swings …
-    CHECK(most - least > 1e-4);  // … so there is something that could have drifted
-}
-
 TEST_CASE("a step back undoes a step where the page says so", "[library][ch8]") {
     RandomInertia random(6);
     const auto returns = [&](const auto& method, bool yes) {
@@ -163,30 +108,26 @@ TEST_CASE("a step back undoes a step where the page says so", "[library][ch8]") 
     returns(tumble<PassiveGyroscopic>, false), returns(tumble<CayleyGyroscopic>, false);
 }
 
-TEMPLATE_TEST_CASE("no whole-body method makes a NaN of finite input", "[library][ch8]", float) {
-    using Vec = Vector3<TestType>;
-    const PrincipalInertia<TestType> bodies[] = {
-        {1, 2, 3},
-        {TestType(1.5), TestType(0.5), 1},
-        {1, 1, TestType(1e-6)},
-        {1, 1, 2},
-        {1, TestType(1) + 4 * std::numeric_limits<TestType>::epsilon(), TestType(0.3)},
-        {1, 1, 1},
-        {TestType(1e-9), TestType(2e-9), TestType(2.5e-9)}};
-    const Vec directions[] = {
-        {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {TestType(0.48), TestType(-0.6), TestType(0.64)}};
+TEST_CASE("no whole-body method makes a NaN of finite input", "[library][ch8]") {
+    using Vec = Vector3<float>;
+    const PrincipalInertia<float> bodies[] = {{1, 2, 3},
+                                              {1.5f, 0.5f, 1},
+                                              {1, 1, 1e-6f},
+                                              {1, 1, 2},
+                                              {1, 1 + 4 * std::numeric_limits<float>::epsilon(), 0.3f},
+                                              {1, 1, 1},
+                                              {1e-9f, 2e-9f, 2.5e-9f}};
+    const Vec directions[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.48f, -0.6f, 0.64f}};
     for (const auto& I : bodies)
         for (const Vec& d : directions)
             for (double size = 1e-6; size < 2e6; size *= 10)
                 for_each_tumbler([&](const auto& method) {
                     INFO(method.name << ", I = " << I.moments.transpose() << ", w = " << size * d.transpose());
-                    // The talk's Jacobian may be singular, and half-step's: see the chapter's
-                    // tests.
-                    if (!is_finite(method.step(I, spinning<TestType>(TestType(size) * d), TestType(1)))) FAIL_CHECK();
+                    if (!is_finite(method.step(I, spinning<float>(float(size) * d), 1.0f))) FAIL_CHECK();
                     // Nothing on an axis, and nothing at rest, changes its spin.
                     const int along = int((d.array() != 0).count());
-                    const Vec w = TestType(size) * d, now = method.step(I, spinning<TestType>(w), TestType(1)).omega;
-                    if (along < 2) CHECK((now - w).norm() <= 8 * std::numeric_limits<TestType>::epsilon() * w.norm());
+                    const Vec w = float(size) * d, now = method.step(I, spinning<float>(w), 1.0f).omega;
+                    if (along < 2) CHECK((now - w).norm() <= 8 * std::numeric_limits<float>::epsilon() * w.norm());
                 });
     for_each_tumbler([&](const auto& method) {  // as small and as large as float has them
         const PrincipalInertia<float> I(1, 2, 2.5f);

@@ -1,26 +1,12 @@
 // A rope of links: what it refuses, how it hangs, how stiff it is.
-#include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cmath>
-#include <fstream>
-#include <iostream>
 
 #include <timestep/rope.hpp>
-
-// The program of chapter 4 has a rope of its own. Its main, as a template that nobody calls, may end without `return`.
-namespace program {
-#define main()       \
-    never_called();  \
-    template <class> \
-    int as_template()
-#include "../../chapters/04_verlet/verlet.cpp"
-#undef main
-}  // namespace program
 
 using namespace timestep;
 using Catch::Matchers::Message;
@@ -63,18 +49,6 @@ TEST_CASE("two points of a rope in one place stay there", "[library]") {
     CHECK(rope.points()[1].x == Vector2d(0, 0));
     rope.step(1, 3);  // they part again: 2·0 + 0.5 + 0.5, and the link pulls back to 0.5
     CHECK(rope.points()[1].x == Vector2d(0, 0.5));
-}
-
-TEST_CASE("two points in one place stay finite in the program of chapter 4, too", "[library][ch4]") {
-    program::Point a{1, 2, 1, 2}, b = a;
-    for (const bool held : {false, true}) {
-        program::put_right(a, b, held);
-        CHECK((a.x == 1 && a.y == 2 && b.x == 1 && b.y == 2));
-    }
-    b.x = 3;  // apart they share what is too long
-    program::put_right(a, b, false);
-    CHECK(std::fabs(b.x - a.x - program::link) < 1e-15);
-    CHECK(std::fabs(a.x + b.x - 4) < 1e-15);
 }
 
 // A step lowers every point by d = h²g, and the sweep, from the top, must lift it by as much. Link

@@ -73,34 +73,6 @@ TEST_CASE("a decay's step is a multiplication by R(z), and BDF2's by its root", 
     });
 }
 
-TEST_CASE("BDF2's R is the larger root, and what a long run grows by", "[stability_function]") {
-    for (const Complex z : places()) {
-        const Complex r = stability_function(bdf2, z), other = 1.0 / (2.0 + std::sqrt(1.0 + 2.0 * z));
-        INFO("z = " << z.real() << " + " << z.imag() << "i");
-        CHECK(std::abs(r) >= std::abs(other) * (1 - 8 * eps));
-        // It solves the quadratic: the terms are rounded a few times each.
-        const double size = std::abs(3.0 - 2.0 * z) * std::norm(r) + 4 * std::abs(r) + 1;
-        CHECK(std::abs((3.0 - 2.0 * z) * r * r - 4.0 * r + 1.0) <= 32 * eps * size);
-
-        // The run's start is a mixture of both roots' motions. Where the smaller fades by 0.9 a
-        // step, after 300 steps it is 10⁻¹³ of the other; the run keeps each step's multiplication
-        // by r.
-        if (std::abs(other) > 0.9 * std::abs(r)) continue;
-        const double h = 0.25;
-        const ComplexDecay model(z / h);
-        FirstOrder<Vector> before{0, {1, 0}};
-        FirstOrder<Vector> state = bdf2.start(model, before, h);
-        for (int i = 0; i < 400; ++i) {
-            const FirstOrder<Vector> next = bdf2.step(model, before, state, h);
-            const double size = next.y.norm();
-            before = {0, state.y / size};
-            state = {0, next.y / size};
-        }
-        const Complex growth = number(state.y) / number(before.y);
-        CHECK(std::abs(growth / r - 1.0) < 1e-9);
-    }
-}
-
 // R has no pole left of the imaginary axis, so there it is largest on the axis (maximum principle).
 TEST_CASE("the methods that solve are A-stable, the others are not", "[stability_function][N62]") {
     for_each_stability_function([](const auto& method) {
@@ -116,14 +88,6 @@ TEST_CASE("the methods that solve are A-stable, the others are not", "[stability
         }
         CHECK((most <= 1 + 4 * eps) == a_stable<Method>);
     });
-    // Only implicit midpoint keeps an undamped swing as it is: it is P-stable, the other two are
-    // not.
-    for (double y = 1e-6; y < 1e8; y *= 1.02) {
-        CHECK(std::fabs(std::abs(stability_function(implicit_midpoint, {0, y})) - 1) <= 4 * eps);
-        if (y < 0.01) continue;  // |R| is 1 − y²/2 and 1 − y⁴/4: closer to 1 than roundoff tells
-        CHECK(std::abs(stability_function(implicit_euler, {0, y})) < 1);
-        CHECK(std::abs(stability_function(bdf2, {0, y})) < 1);
-    }
 }
 
 TEST_CASE("a complex decay turns and shrinks as e^(lambda t)", "[models]") {

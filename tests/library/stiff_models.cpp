@@ -6,13 +6,9 @@
 
 #include <Eigen/Core>
 
-#include <timestep/methods/bdf2.hpp>
-#include <timestep/measured_order.hpp>
-#include <timestep/models/decay.hpp>
 #include <timestep/models/prothero_robinson.hpp>
 #include <timestep/models/robertson.hpp>
 #include <timestep/models/van_der_pol.hpp>
-#include <timestep/run.hpp>
 
 using namespace timestep;
 
@@ -20,8 +16,7 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-// Central differences, which are exact for polynomials of degree two in each unknown: what is left
-// is roundoff, of some ε |f| / d.
+// Central differences: exact for polynomials of degree two, apart from roundoff of about ε |f| / d.
 template <class System, class Y>
 auto differences(const System& f, const Y& at, const Y& d) {
     decltype(f.slope_y(0.0, at)) result;
@@ -79,15 +74,4 @@ TEST_CASE("Prothero and Robinson's exact solution solves its equation", "[librar
     CHECK(std::fabs(stiff.exact({0, 1}, 2.0).y - std::cos(2.0)) < 4 * eps);
     CHECK(std::fabs(stiff.exact({0, 7}, 1e-3).y - std::cos(1e-3)) < 4 * eps);
     CHECK_THROWS_AS(ProtheroRobinson(std::nan("")), std::invalid_argument);
-}
-
-TEST_CASE("BDF2 steps first-order systems with its order", "[library]") {
-    const Decay<double> decay(-1.0);
-    std::vector<double> steps, errors;
-    for (const long n : {20, 40, 80}) {
-        const auto end = run(bdf2, decay, FirstOrder<double>{0, 1}, 1.0 / double(n), n);
-        CHECK(std::fabs(end.t - 1) < 100 * eps);
-        steps.push_back(1.0 / double(n)), errors.push_back(std::fabs(end.y - std::exp(-1.0)));
-    }
-    CHECK(std::fabs(measured_order(steps, errors) - 2) < 0.1);
 }

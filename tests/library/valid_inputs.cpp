@@ -27,7 +27,7 @@ struct Answers {
         } catch (const std::invalid_argument&) {
             made = false;
         }
-        REQUIRE(valid == made);
+        if (valid != made) FAIL("valid() says " << valid);
         ++(made ? yes : no);
     }
 };
@@ -60,7 +60,8 @@ TEMPLATE_TEST_CASE("valid() agrees with the constructor", "[library]", float, do
                 cylinders.compare(valid_cylinder(a, b, c), [&] { cylinder(a, b, c); });
                 capsules.compare(valid_capsule(a, b, c), [&] { capsule(a, b, c); });
                 staffs.compare(valid_staff(a, b, c), [&] { staff(a, b, c); });
-                for (const Real d : awkward<Real>()) boxes.compare(valid_box(a, b, c, d), [&] { box(a, b, c, d); });
+                for (const Real d : {Real(0), Real(1), std::sqrt(std::numeric_limits<Real>::max())})
+                    boxes.compare(valid_box(a, b, c, d), [&] { box(a, b, c, d); });
                 principal.compare(PrincipalInertia<Real>::valid(a, b, c), [&] { PrincipalInertia<Real>(a, b, c); });
                 const Matrix3<Real> I = Vector3<Real>(a, b, c).asDiagonal();
                 full.compare(FullInertia<Real>::valid(I), [&] { FullInertia<Real>{I}; });
