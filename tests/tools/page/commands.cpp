@@ -53,13 +53,6 @@ TEST_CASE("page that fails says where, and leaves neither a page nor an older on
     CHECK_FALSE(fs::exists(course / "out/index.tsv"));
 }
 
-TEST_CASE("page refuses wrong options in one line") {
-    const std::string program{PAGE};
-    CHECK(run_command(program).words == "page: --source: is missing\n");
-    CHECK(run_command(program + " --colour red").words == "page: --colour: unknown option (page --help lists them)\n");
-    CHECK(run_command(program + " --source").status == 2);
-}
-
 TEST_CASE("source_filter takes the markers from headers, line for line, and hides the rest") {
     const Course course;
     const std::string filter =

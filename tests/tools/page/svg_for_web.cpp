@@ -74,15 +74,6 @@ TEST_CASE("a figure is dark where the page is, and a colour that nobody has thou
                ContainsSubstring("[fill=\"#333333\"]:not(.veil){fill:#dfdfdf}"));
 }
 
-TEST_CASE("what gnuplot repeats for every line stands once") {
-    const std::string all = " stroke-linecap=\"round\" stroke-linejoin=\"round\"",
-                      group = "<g fill=\"none\" color=\"black\" stroke=\"currentColor\"" + all + ">\n";
-    const std::string figure = shown(group + "</g>\n" + group + "\t<path class=\"gridline\"  d='z'/></g>\n");
-    CHECK_THAT(figure, ContainsSubstring("<svg font-family") &&
-                           ContainsSubstring("<g fill=\"none\" stroke=\"#000000\">\n<path d='z'/></g>") &&
-                           !ContainsSubstring("</g>\n<g"));
-}
-
 TEST_CASE("points that nobody sees are left out of a figure") {
     const auto path = [](const std::string& data) {
         return page::between(shown("<path d='" + data + "'/>"), " d='", "'");
