@@ -85,14 +85,6 @@ TEMPLATE_TEST_CASE("a Taylor series with all its terms is the polynomial itself"
     }
 }
 
-TEST_CASE("a Taylor series of no terms is zero, of one term the value here", "[taylor]") {
-    const std::array<double, 2> terms{3, 7};
-    const std::span<const double> all(terms);
-    CHECK(taylor(all.first(0), 0.5) == 0);
-    CHECK(taylor(all.first(1), 0.5) == 3);
-    CHECK(taylor(all, 0.5) == 6.5);
-}
-
 TEST_CASE("the measured order of C h^p is p", "[measured_order]") {
     for (const double p : {1.0, 2.0, 4.0, 0.5}) {
         std::vector<double> steps, errors;

@@ -73,15 +73,13 @@ TEST_CASE("where f(x) or the correction is too large it ends with a NaN", "[libr
     CHECK(std::isnan(root(inf, 2)));
     CHECK(std::isnan(root(1e300, 1e-10)));
     CHECK(std::isnan(root(1, 0)));
-    // In a vector, as well where it is its length that is no number.
-    for (const double huge : {inf, 1.7e308}) {
-        evaluations = 0;
-        const V x = newton_raphson(
-                        V(1, 1), [&](const V&) { return few(), V(huge, huge); },
-                        [](const V&) { return Eigen::Matrix2d(Eigen::Matrix2d::Identity()); })
-                        .x;
-        CHECK(x.hasNaN());
-    }
+    // In a vector whose length is no number, too.
+    evaluations = 0;
+    const V x = newton_raphson(
+                    V(1, 1), [&](const V&) { return few(), V(1.7e308, 1.7e308); },
+                    [](const V&) { return Eigen::Matrix2d(Eigen::Matrix2d::Identity()); })
+                    .x;
+    CHECK(x.hasNaN());
 }
 
 TEST_CASE("it says whether what it returns is a root", "[library]") {

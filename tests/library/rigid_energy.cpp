@@ -106,8 +106,8 @@ TEST_CASE("in float a symmetric body keeps its energy for an hour", "[library][N
     CHECK(worst < 2e-4);
 }
 
-// Of a small angle the rounded cosine is one, and with it and the sine a turn stretches a little: five
-// bodies had up to a percent more or less of |L| after this hour.
+// The rounded cosine of a small angle is one. Used with the sine, it would stretch every turn a little: bodies had up
+// to a percent more or less of |L| after this hour.
 TEST_CASE("in float a splitting keeps |L| for an hour", "[library][ch8]") {
     RandomInertia random(3);
     double worst = 0;

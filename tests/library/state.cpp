@@ -1,5 +1,4 @@
 // States, their rates, bodies as arrays of numbers, and what is deduced from what one writes.
-#include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
 #include <array>
@@ -47,20 +46,6 @@ TEST_CASE("the real number behind a number, a vector and a state", "[library]") 
     STATIC_REQUIRE(std::is_same_v<real_of<FirstOrder<long double>>, long double>);
 }
 
-TEMPLATE_TEST_CASE("a state goes on at a constant rate", "[library]", float, double, long double) {
-    // Small whole numbers and halves: every operation below is exact.
-    const State<TestType> s{1, 2, 3};
-    const Rate<TestType> rate{TestType(4), TestType(-8)};
-    const State<TestType> next = advance(s, TestType(0.5), rate);
-    CHECK(next.t == TestType(1.5));
-    CHECK(next.x == 4);
-    CHECK(next.v == -1);
-
-    const FirstOrder<TestType> y = advance(FirstOrder<TestType>{1, 2}, TestType(0.5), TestType(4));
-    CHECK(y.t == TestType(1.5));
-    CHECK(y.y == 4);
-}
-
 // A game's own vector, which knows nothing of Eigen.
 namespace game {
 
@@ -97,21 +82,17 @@ TEST_CASE("every method steps a vector, Eigen's or a game's own, to the bits of 
     for_each_verlet_method(steps);
 }
 
-TEMPLATE_TEST_CASE("a state stacked and unstacked is the same state", "[library]", float, double, long double) {
-    using Real = TestType;
-    using Vector3 = Eigen::Matrix<Real, 3, 1>;
-    const State<Real> one{1, 2, 3};
-    const auto y = stacked(one);
-    STATIC_REQUIRE(std::is_same_v<decltype(y.y), Eigen::Matrix<Real, 2, 1>>);
-    CHECK(y.t == 1);
-    CHECK(y.y == Eigen::Matrix<Real, 2, 1>(2, 3));
-    CHECK(unstacked(y).v == 3);
+TEST_CASE("a state stacked and unstacked is the same state", "[library]") {
+    const auto two = stacked(State{1, 2.0f, 3.0f});
+    STATIC_REQUIRE(std::is_same_v<decltype(two.y), Eigen::Vector2f>);
+    CHECK(two.t == 1);
+    CHECK(two.y == Eigen::Vector2f(2, 3));
+    CHECK(unstacked(two).v == 3);
 
-    const State<Vector3> three{1, Vector3(1, 2, 3), Vector3(4, 5, 6)};
+    const State three{1, Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(4, 5, 6)};
     const auto six = stacked(three);
-    STATIC_REQUIRE(std::is_same_v<decltype(six.y), Eigen::Matrix<Real, 6, 1>>);
-    CHECK(six.y(2) == 3);
-    CHECK(six.y(3) == 4);
+    STATIC_REQUIRE(std::is_same_v<decltype(six.y), Eigen::Matrix<double, 6, 1>>);
+    CHECK((six.y(2) == 3 && six.y(3) == 4));
     CHECK(unstacked(six).x == three.x);
     CHECK(unstacked(six).v == three.v);
 }
