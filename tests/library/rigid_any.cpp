@@ -25,15 +25,16 @@ int odd_of(const AnyInertia<Real>& any) {
     return std::holds_alternative<SymmetricInertia<Real>>(kind) ? 2 : -1;
 }
 
-// Wherever its axis lies, a symmetric body moves as a full matrix with the same moments does. In so short a step, h|ω|
-// of 4e-5, two rules differ by some hundred (hω)² at most, for this capsule: below 1e-7, a hundredth of the change.
-template <Axis axis>
-void moves_as_its_matrix() {
+}  // namespace
+
+// In so short a step, h|ω| of 4e-5, two rules differ by some hundred (hω)² at most, for this capsule: below 1e-7, a
+// hundredth of the change. (That the other two axes are turned as x is, the next case checks.)
+TEST_CASE("a symmetric body with its axis along x moves as its full matrix does", "[library]") {
     using V = Vector3<double>;
     const double h = 1e-5;
-    const auto pill = about<axis>(capsule(2.0, 0.1, 0.7));
-    CHECK(pill.moments()[int(axis)] == capsule(2.0, 0.1, 0.7).along);
-    CHECK(pill.moments()[int(axis)] < pill.moments()[(int(axis) + 1) % 3]);
+    const auto pill = about<Axis::x>(capsule(2.0, 0.1, 0.7));
+    CHECK(pill.moments().x() == capsule(2.0, 0.1, 0.7).along);
+    CHECK(pill.moments().x() < pill.moments().y());
     const FullInertia<double> full(Matrix3<double>(pill.moments().asDiagonal()));
     const V omega(1, -2, 3);
     CHECK((pill.momentum(omega) - full.momentum(omega)).norm() < 1e-15);
@@ -43,18 +44,10 @@ void moves_as_its_matrix() {
         const V after = solver.step(pill, omega, h);
         CHECK((after - solver.step(full, omega, h)).norm() < 1e-7);
         CHECK((after - omega).norm() > 3e-5);
-        CHECK(std::fabs(after[int(axis)] - omega[int(axis)]) < 1e-7);
+        CHECK(std::fabs(after.x() - omega.x()) < 1e-7);
     };
     same(explicit_gyroscopic), same(implicit_gyroscopic), same(converged_gyroscopic), same(passive_gyroscopic);
     same(half_step_jacobian), same(calm_half_step), same(cayley_gyroscopic);
-}
-
-}  // namespace
-
-TEST_CASE("a symmetric body may have its axis along x, y or z", "[library]") {
-    moves_as_its_matrix<Axis::x>();
-    moves_as_its_matrix<Axis::y>();
-    moves_as_its_matrix<Axis::z>();
 }
 
 TEMPLATE_TEST_CASE("three moments pick a ball, a symmetric body or a box", "[library]", float, double) {
