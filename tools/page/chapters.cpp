@@ -35,7 +35,7 @@ std::string minutes_to_read(std::string source) {
 std::string card(Context& context, const Chapter& chapter) {
     std::string name;
     const std::string& file = chapter.picture;
-    const std::filesystem::path drawn = context.run_of(chapter.folder + "/", name).figure(file);
+    const std::filesystem::path drawn = context.run_of(chapter.folder + "/", name).existing(file);
     return "<a class=\"card\" aria-hidden=\"true\" tabindex=\"-1\" href=\"" + chapter.id() + ".html\">" +
            replace_all(picture_html(context, chapter.folder, drawn, ""), "screen and (max-width: 560px)", "screen") +
            "</a>";

@@ -5,6 +5,7 @@
 #include "text.hpp"
 
 #include <algorithm>
+#include <regex>
 #include <stdexcept>
 
 namespace page {
@@ -62,6 +63,12 @@ std::string with_bars_kept(const std::string& cell) {
     return kept;
 }
 
+/// The sign that a check is made, shown by the style sheet under the pointer, and on a phone at a tap.
+std::string mark(const std::string& statement) {
+    return "<span class=\"check\" tabindex=\"0\" role=\"note\" aria-label=\"The run confirms: " + statement +
+           "\" data-statement=\"" + statement + "\">✓</span>";
+}
+
 }  // namespace
 
 std::string number_markdown(Context& context, const std::string& reference) {
@@ -80,36 +87,16 @@ std::string number_tex(Context& context, const std::string& reference) {
 std::string check_markdown(Context& context, const Directive& directive) {
     if (directive.arguments.size() != 1) throw std::invalid_argument{"{{check name}} takes one name"};
     std::string name;
-    const std::string statement = attribute(context.run_of(directive.arguments.front(), name).check(name));
-    // Shown by the style sheet under the pointer, and on a phone at a tap.
-    return "<span class=\"check\" tabindex=\"0\" role=\"note\" aria-label=\"The run confirms: " + statement +
-           "\" data-statement=\"" + statement + "\">✓</span>";
+    return mark(attribute(context.run_of(directive.arguments.front(), name).check(name)));
 }
 
 std::string with_marks_joined(std::string page) {
-    static const std::string begin = "<span class=\"check\"", told = "data-statement=\"", end = "\">✓</span>",
-                             label = "The run confirms: ";
-    for (std::size_t at = page.find(end); at != std::string::npos; at = page.find(end, at + 1)) {
-        while (true) {
-            const std::size_t next = page.find_first_not_of(" \n", at + end.size());
-            if (next == std::string::npos || page.compare(next, begin.size(), begin) != 0) break;
-            const std::size_t from = page.find(told, next) + told.size(), to = page.find(end, next);
-            const std::size_t first = page.rfind(told, at) + told.size();
-            const std::string all = page.substr(first, at - first) + "; " + page.substr(from, to - from);
-            const std::size_t open = page.rfind(begin, at), named = page.find(label, open) + label.size();
-            const std::string mark = page.substr(open, named - open) + all + "\" " + told + all + end;
-            page.replace(open, to + end.size() - open, mark);
-            at = open + mark.size() - end.size();
-        }
-        // No line begins with a mark.
-        const std::size_t open = page.rfind(begin, at), words = page.find_last_not_of(" \n", open - 1);
-        if (words != std::string::npos && words + 1 < open &&
-            std::string{"|-*>"}.find(page[words]) == std::string::npos && page.compare(words + 1, 2, "\n\n") != 0) {
-            page.replace(words + 1, open - words - 1, "\u00a0");
-            at = page.find(end, words);
-        }
-    }
-    return page;
+    static const std::string any = mark("([^\"]*)");
+    static const std::regex two{any + "[ \\n]+" + any},
+        apart{"([^ \\n|*>-])(?!\\n\\n)[ \\n]+(?=<span class=\"check\")"};
+    for (std::smatch found; std::regex_search(page, found, two);)
+        page = found.prefix().str() + mark(found[1].str() + "; " + found[3].str()) + found.suffix().str();
+    return std::regex_replace(page, apart, "$1\u00a0");  // no line begins with a mark
 }
 
 bool is_measured(Context& context, const Directive& directive, const std::string& folder) {

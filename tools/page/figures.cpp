@@ -149,7 +149,7 @@ std::string figure_markdown(Context& context, const Directive& directive) {
                                     ", too: a figure stands on one of a chapter's two"};
         }
     }
-    const std::filesystem::path drawn = run.figure(file);
+    const std::filesystem::path drawn = run.existing(file);
     if (context.figures.count(folder + "/" + file) != 0) throw std::out_of_range{file + " is shown twice on this page"};
 
     const bool moves = drawn.extension() == ".gif";

@@ -155,7 +155,7 @@ std::string said_markdown(Context& context, const Directive& directive) {
     if (directive.arguments.size() != 1) throw std::invalid_argument{"what a program said is {{said file.txt}}"};
     std::string file;
     RunData& run = context.run_of(directive.arguments.front(), file);
-    const std::string words = run.text(file);
+    const std::string words = read_file(run.existing(file));
     if (trim(words).empty()) throw std::out_of_range{file + " holds no word"};
     return "\n\\htmlonly[block]<pre class=\"run said\">" + escape_html(words) + "</pre>\\endhtmlonly\n";
 }

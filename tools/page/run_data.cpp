@@ -84,10 +84,6 @@ std::string RunData::printed(const std::string& heading) const {
     return part;
 }
 
-std::string RunData::text(const std::string& file) const { return read_file(existing(file)); }
-
-std::filesystem::path RunData::figure(const std::string& file) const { return existing(file); }
-
 long RunData::milliseconds() const { return std::strtol(read_file(existing("seconds.txt")).c_str(), nullptr, 10); }
 
 }  // namespace page

@@ -39,15 +39,12 @@ public:
     std::string written_at(const std::string& name, const std::string& kind) const;
     /// What the program printed, or what stands in the study's output below a heading, heading included.
     std::string printed(const std::string& heading = "") const;
-    /// A text file as it stands.
-    std::string text(const std::string& file) const;
-    /// A figure's path; it exists.
-    std::filesystem::path figure(const std::string& file) const;
+    /// A file's path; it exists.
+    std::filesystem::path existing(const std::string& file) const;
     /// Milliseconds that the program took.
     long milliseconds() const;
 
 private:
-    std::filesystem::path existing(const std::string& file) const;
     /// The row of that name in a file of named records; nothing where there is none.
     const std::vector<std::string>* find_record(const std::string& file, std::size_t cells, const std::string& name);
 
