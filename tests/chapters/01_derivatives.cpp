@@ -21,25 +21,8 @@ constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 
 const auto exponential = [](auto x) { return std::exp(x); };
 const auto sine = [](auto x) { return std::sin(x); };
-const auto cube = [](auto x) { return x * x * x; };
 
 }  // namespace
-
-TEMPLATE_TEST_CASE("the chord's error stays below truncation plus rounding at every step", "[N01][ch1]", float, double,
-                   long double) {
-    const TestType x = 1;
-    const long double exact = std::exp(1.0L);
-    for (TestType h = 0.5; step_taken(x, h) == h; h /= 2) {
-        // f″ is at most e^(1 + h) on the chord; values are right to one last digit, ε e^(1 + h);
-        // the subtraction and the quotient are rounded too, by ε/2 each.
-        const double most = std::exp(1 + static_cast<double>(h));
-        const double eps = static_cast<double>(epsilon<TestType>);
-        const double bound = error_bound(forward_difference, static_cast<double>(h), eps * most, most) + eps * most;
-        const long double error = std::fabs(forward_difference(exponential, x, h) - exact);
-        INFO("h = " << h);
-        CHECK(static_cast<double>(error) <= bound);
-    }
-}
 
 TEST_CASE("an exponential's slope is the exponential times its rate, growing or decaying", "[N04][ch1]") {
     const double h = std::exp2(-10);
@@ -78,40 +61,6 @@ TEST_CASE("one dot is the slope of the position, two dots the slope of the slope
         CHECK(std::fabs(x_dot(t) - std::cos(2 * t)) <= error_bound(central_difference, h, epsilon<double> / 2, 4));
         CHECK(std::fabs(x_dot_dot(t) - (-4 * x(t))) <=
               4 * h * h / 12 * 8 + 4 * (epsilon<double> / 2) / (4 * h * h) + 2 * epsilon<double> / h);
-    }
-}
-
-TEMPLATE_TEST_CASE("the backward difference is the forward one with the step turned round", "[N07][ch1]", float, double,
-                   long double) {
-    for (int i = 1; i <= 200; ++i) {
-        const TestType x = static_cast<TestType>(std::sin(i) * 5);
-        const TestType h = static_cast<TestType>(std::exp(-i % 12) / 3);
-        CHECK(backward_difference(sine, x, h) == forward_difference(sine, x, -h));
-        CHECK(forward_difference(exponential, x, h) == backward_difference(exponential, x, -h));
-    }
-}
-
-TEST_CASE("the five-point difference is exact on a cubic and on a quartic", "[N08][ch1]") {
-    // Values up to 16 on [−2, 2], right to two digits each, and nothing left out.
-    const auto quartic = [](double x) { return x * x * x * x; };
-    for (const double x : {-1.0, -0.5, 0.0, 0.75, 1.0})
-        for (const double h : {0.5, 0.25, 0.125}) {
-            const double rounding = error_bound(five_point_difference, h, 32 * epsilon<double>, 0);
-            CHECK(std::fabs(five_point_difference(cube, x, h) - 3 * x * x) <= rounding);
-            CHECK(std::fabs(five_point_difference(quartic, x, h) - 4 * x * x * x) <= rounding);
-        }
-}
-
-TEST_CASE("subtracting two second-order Taylor series leaves the central difference", "[N08][ch1]") {
-    const double x = 0.8;
-    const std::array<double, 3> terms{std::sin(x), std::cos(x), -std::sin(x)};
-    const std::span<const double, 3> here(terms);
-    for (const double h : {1.0, 0.25, 0.01}) {
-        // As functions of the step the two series agree in f and f″, which cancel.
-        const double slope = (taylor(here, h) - taylor(here, -h)) / (2 * h);
-        CHECK(std::fabs(slope - std::cos(x)) <= 4 * epsilon<double> * (1 + 1 / h));
-        // With the true values instead of the series f‴/6 h² is left, |f‴| ≤ 1.
-        CHECK(std::fabs(central_difference(sine, x, h) - slope) <= h * h / 6 + 4 * epsilon<double> * (1 + 1 / h));
     }
 }
 

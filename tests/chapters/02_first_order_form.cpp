@@ -1,6 +1,5 @@
 // The claims of chapter 2 about equations whose answer we know.
 
-#include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 
@@ -45,18 +44,6 @@ TEST_CASE("the exponential solves y' = lambda y", "[N11][ch2]") {
     // Both sides are λ y with one product more or less: a few roundings.
     CHECK(std::fabs(s.y.slope - rate_there) <= 8 * eps<double> * std::fabs(rate_there));
     CHECK(decay.exact(FirstOrder{1.5, 2.0}, 0.0).y == 2);
-}
-
-TEMPLATE_TEST_CASE("decay is the same for numbers and vectors", "[N11][ch2]", float, double, long double) {
-    using Vector = Eigen::Matrix<TestType, 2, 1>;
-    const Decay decay(TestType(-2));
-    const FirstOrder<Vector> both{0, Vector(1, 3)};
-    const Vector y = decay.exact(both, TestType(0.5)).y;
-    CHECK(y(0) == decay.exact(FirstOrder<TestType>{0, 1}, TestType(0.5)).y);
-    CHECK(y(1) == decay.exact(FirstOrder<TestType>{0, 3}, TestType(0.5)).y);
-    CHECK(std::fabs(y(0) - std::exp(TestType(-1))) <= 2 * eps<TestType>);
-    CHECK(run(runge_kutta_4, decay, both, TestType(0.125), 8).y(0) ==
-          run(runge_kutta_4, decay, FirstOrder<TestType>{0, 1}, TestType(0.125), 8).y);
 }
 
 TEST_CASE("under gravity a body flies a parabola", "[N12][ch2]") {

@@ -33,25 +33,7 @@ double global_order(const Method& method, const Model& model) {
     return measured_order(h, error);
 }
 
-template <class Real>
-constexpr Real eps = std::numeric_limits<Real>::epsilon();
-
 }  // namespace
-
-TEST_CASE("the position equation holds for any velocity that is constant over the step", "[I06][ch4]") {
-    // x(t + h) = x + h v is exact where v is constant: linear in v, so that two velocities give the
-    // mean of their positions. Fractions of powers of two: no rounding.
-    const Projectile still(0.0);
-    const double h = 0.125;
-    for (const double x : {0.0, 1.0, -3.5})
-        for (const double v : {0.0, 2.0, -5.25}) {
-            const State end = semi_implicit_euler.step(still, State{0, x, v}, h);
-            CHECK(end.x == x + h * v);
-            const State other = semi_implicit_euler.step(still, State{0, x, v + 4}, h);
-            const State mean = semi_implicit_euler.step(still, State{0, x, v + 2}, h);
-            CHECK((end.x + other.x) / 2 == mean.x);
-        }
-}
 
 TEST_CASE("symplectic Euler moves the position with the velocity of the same step", "[I06][ch4]") {
     const Pendulum pendulum(1.5);
@@ -129,17 +111,6 @@ TEST_CASE("a single step of velocity Verlet, leapfrog and constant acceleration 
     CHECK(std::fabs(local(velocity_verlet) - 3) < 0.05);
     CHECK(std::fabs(local(leapfrog) - 3) < 0.05);
     CHECK(std::fabs(local(constant_acceleration) - 2) < 0.05);
-}
-
-TEST_CASE("a single step of plain Verlet errs by two orders more: its errors add up twice", "[I10][ch4]") {
-    const Spring spring(1.3);
-    std::vector<double> h, error;
-    for (const double step : {0.04, 0.02, 0.01}) {  // h⁴ω⁴/12 from 6e-7 to 2e-9, far above rounding
-        h.push_back(step);
-        const State next = verlet.step(spring, spring.exact(start, -step), start, step);
-        error.push_back(std::fabs(next.x - spring.exact(start, step).x));
-    }
-    CHECK(std::fabs(measured_order(h, error) - 4) < 0.05);
 }
 
 TEST_CASE("with equal steps both repairs are plain Verlet", "[I10][ch4]") {

@@ -32,18 +32,6 @@ plane::BodyState run(const Solver& solver, const plane::Capsule<Inertia>& body, 
 
 }  // namespace
 
-TEST_CASE("one iteration solves the residual's tangent", "[N47][ch5]") {
-    const PrincipalInertia<double> brick = box(12.0, 1.0, 2.0, 3.0);
-    const Matrix3<double> I = brick.moments.asDiagonal();
-    const V w(0.3, 0.6, 0.7);
-    const V w2 = implicit_gyroscopic.step(brick, w, 1.0);
-    const auto residual = [&](const V& at) { return V(I * (at - w) + at.cross(I * at)); };
-    // The residual is quadratic: along d it is f + (f(+1) − f(−1))/2 + (f(+1) + f(−1) − 2f)/2, no
-    // more.
-    const V d = w2 - w, tangent = residual(w) + (residual(w + d) - residual(w - d)) / 2;
-    CHECK(tangent.norm() < 1e-14 * I.norm());
-}
-
 TEST_CASE("a step turns a point about the middle between its old and its new place", "[N42][N46][ch5]") {
     // e₂ − e = h ω × (e + e₂)/2: what makes the gap at the end of a step linear in the velocities.
     // All of it is of size h|ω||e| < 20, and some ten roundings.

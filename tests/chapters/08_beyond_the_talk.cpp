@@ -26,46 +26,7 @@ using Body = PrincipalInertia<double>;
 const double h = 1.0 / 60;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-struct Rule {
-    const char* name;
-    Spin (*after)(const Body& I, Spin s, double step, long steps);
-};
-template <class Method>
-Rule rule(const Method&) {
-    return {Method::name,
-            [](const Body& I, Spin s, double step, long steps) { return after(Method{}, I, s, step, steps); }};
-}
-
-double energy_off(const Body& I, const Spin& s, const V& omega) {
-    return std::fabs(kinetic_energy(I, s.omega) / kinetic_energy(I, omega) - 1);
-}
-// The angular momentum in the world.
-double momentum_off(const Body& I, const Spin& s, const V& omega) {
-    const V L = I.momentum(omega);
-    return (s.q * I.momentum(s.omega) - L).norm() / L.norm();
-}
-const Rule exact_rules[] = {rule(midpoint_spin), rule(moser_veselov_2), rule(moser_veselov_4)};
-
 }  // namespace
-
-// Each turn of L and each solve leaves a few ε; with n parts they add up to less than 32 n ε. Were
-// order four's moments far from the body's, it would show here, too: ratios go to a million.
-TEST_CASE("implicit midpoint and Moser-Veselov keep energy and L, whatever the step", "[ch8]") {
-    RandomInertia random(21);
-    for (const double size : {1e-3, 0.3, 1.0, 10.0, 300.0})
-        for (int n = 0; n < 40; ++n) {
-            const Body I = random.inertia<double>(n % 2 ? 10 : 1e6);
-            const V w = size * random.direction<double>();
-            for (const Rule& method : exact_rules) {
-                INFO(method.name << ", h|ω| = " << size << ", I = " << I.moments.transpose()
-                                 << ", ω = " << w.transpose());
-                const Spin s = method.after(I, spinning(w), 1.0, 3);
-                const double parts = 3 * (1 + 4 * size);  // |ω| rises to at most √2 of the start
-                CHECK(energy_off(I, s, w) < 32 * parts * epsilon);
-                CHECK(momentum_off(I, s, w) < 32 * parts * epsilon);
-            }
-        }
-}
 
 TEST_CASE("the appendix's methods solve the equations that they say", "[ch8]") {
     RandomInertia random(22);
@@ -96,18 +57,22 @@ TEST_CASE("the appendix's methods solve the equations that they say", "[ch8]") {
 TEST_CASE("what keeps everything is reversible; a step is cut up no more than needed", "[ch8]") {
     const Body I = box(1.0, 1.0, 2.0, 3.0);
     const Spin start = spinning({1, 2, 10});
-    for (const Rule& method : exact_rules) {
+    const auto there_and_back = [&](const auto& method) {
         INFO(method.name);
-        const Spin back = method.after(I, method.after(I, start, h, 1), -h, 1);
+        const Spin back = after(method, I, after(method, I, start, h), -h);
         CHECK((back.omega - start.omega).norm() < 1e-13);
         CHECK(back.q.vec().norm() < 1e-14);
-    }
+    };
+    there_and_back(midpoint_spin), there_and_back(moser_veselov_2), there_and_back(moser_veselov_4);
     // h|ω| = 0.4: one part; 0.8: two.
     const V w(0, 0.4, 0.01);
     CHECK(after(moser_veselov_2, I, spinning(w), 1.0).q.coeffs() ==
           moser_veselov_2.whole(I, spinning(w), 1.0).q.coeffs());
     const Spin two = after(moser_veselov_2, I, spinning(2 * w), 0.5, 2);
     CHECK((after(moser_veselov_2, I, spinning(2 * w), 1.0).q.coeffs() - two.q.coeffs()).norm() < 8 * epsilon);
+    // A step that is too long, or no number, gives NaN and no endless loop.
+    CHECK(after(moser_veselov_2, I, spinning({0, 10, 0}), 1e9).omega.hasNaN());
+    CHECK(after(moser_veselov_4, I, spinning({0, 10, 0}), std::nan("")).omega.hasNaN());
 }
 
 TEST_CASE("Adams-Bashforth goes on from its last slope, and anew after an impulse", "[ch8]") {
@@ -123,24 +88,6 @@ TEST_CASE("Adams-Bashforth goes on from its last slope, and anew after an impuls
     CHECK(rule.step(I, pushed, h).omega == buss_2.step(I, pushed, h).omega);
     const Spin three = rule.step(I, start, h);
     CHECK(rule.step(I, three, h / 2).omega == buss_2.step(I, three, h / 2).omega);
-}
-
-TEST_CASE("without its parts Moser-Veselov has no step for h|omega| above 1 about an axis", "[ch8]") {
-    const Body I = box(1.0, 1.0, 2.0, 3.0);
-    const auto off = [&](double size) {  // of h ω = 2 e₀ e
-        const Quaternion<double> rho = moser_veselov_2.whole(I, spinning({0, size, 0}), 1.0).q;
-        return std::fabs(2 * rho.w() * rho.y() - size);
-    };
-    CHECK(off(0.99) < 1e-12);
-    CHECK_FALSE(off(1.01) < 1e-3);
-    CHECK_FALSE(off(1.5) < 0.1);
-    const V w(0, 10, 0);
-    CHECK(energy_off(I, after(moser_veselov_2, I, spinning(w), 1.0), w) < 1e-13);
-    CHECK(after(moser_veselov_2, I, spinning(w), 0.0).omega == w);
-    CHECK(after(moser_veselov_2, I, spinning({0, 0, 0}), 1.0).omega == V(0, 0, 0));
-    // Too long, or no number: NaN, and no endless loop.
-    CHECK(after(moser_veselov_2, I, spinning(w), 1e9).omega.hasNaN());
-    CHECK(after(moser_veselov_4, I, spinning(w), std::nan("")).omega.hasNaN());
 }
 
 TEST_CASE("while no guard acts, Box3D, Bullet and MuJoCo take the talk's step", "[ch8]") {
