@@ -11,7 +11,7 @@
 #include <timestep/methods.hpp>
 
 #include "contest/entries.hpp"
-#include "contest/peers/peer.hpp"
+#include "contest/peer.hpp"
 #include "contest/scenes.hpp"
 
 using namespace contest;

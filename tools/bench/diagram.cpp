@@ -1,15 +1,13 @@
+#include "diagram.hpp"
+
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <sstream>
-
-#include <unistd.h>
 
 #include "files.hpp"
 #include "lab.hpp"
 #include "process.hpp"
 #include "stop.hpp"
-#include "tables.hpp"
 
 namespace bench {
 
@@ -28,15 +26,9 @@ bool same_entry(const contest::Point& a, const contest::Point& b) {
     return a.method == b.method && a.library == b.library;
 }
 
-// The index after the last point of the entry that begins at `first`.
-std::size_t end_of(const Measured& measured, std::size_t first) {
-    std::size_t end = first;
-    while (end < measured.points.size() && same_entry(measured.points[first], measured.points[end])) ++end;
-    return end;
-}
-
 // One line per entry: ours as in all figures, each other library in a colour of its own.
-std::string script(const fs::path& csv, const fs::path& svg, const Measured& measured) {
+std::string script(const fs::path& csv, const fs::path& svg, const std::string& title,
+                   const std::vector<contest::Point>& points) {
     const char* const colours[] = {"#666666", "#cc79a7", "#4c72b0", "#8172b3", "#937860", "#64b5cd"};
     std::ostringstream text;
     text << "style = " << quoted(BENCH_STYLE) << "\nload style\n"
@@ -44,15 +36,15 @@ std::string script(const fs::path& csv, const fs::path& svg, const Measured& mea
          << "set datafile separator comma\n"
          << "set rmargin screen 0.66\nset key at screen 0.68,0.97 left top reverse Left noenhanced "
             "maxrows 40 font ',12' spacing 0.9 samplen 3\n"
-         << "set title " << quoted(measured.title) << " noenhanced\n"
+         << "set title " << quoted(title) << " noenhanced\n"
          << "set logscale xy\nset format '10^{%L}'\nset yrange [1e-17:200]\n"
          << "set xlabel 'time of a run (s)'\nset ylabel 'largest error, as a share of the scene'\n";
     std::string plots;
     std::map<std::string, std::size_t> libraries;
     int entries = 0;
-    for (std::size_t i = 0; i < measured.points.size(); ++i) {
-        const auto& p = measured.points[i];
-        if (i > 0 && same_entry(p, measured.points[i - 1])) continue;
+    for (std::size_t first = 0, end = 0; first < points.size(); first = end) {
+        const auto& p = points[first];
+        while (end < points.size() && same_entry(p, points[end])) ++end;
         const bool ours = p.library == "Timestep";
         const std::string look = "look" + std::to_string(entries++);
         const std::string name = lab::id(p.method);
@@ -61,8 +53,8 @@ std::string script(const fs::path& csv, const fs::path& svg, const Measured& mea
              << colours[(ours ? std::size_t(entries) : library) % 6] << "' lw 1.2 dt " << (ours ? "1" : "(6,3)")
              << "\"\n";
         // Row 0 holds the names of the columns. Diverged runs lie at the upper edge; an error of zero has no logarithm.
-        plots += (plots.empty() ? "plot " : ", \\\n  ") + quoted(csv.string()) + " every ::" + std::to_string(i + 1) +
-                 "::" + std::to_string(end_of(measured, i)) +
+        plots += (plots.empty() ? "plot " : ", \\\n  ") + quoted(csv.string()) +
+                 " every ::" + std::to_string(first + 1) + "::" + std::to_string(end) +
                  " using 7:(strcol(10) eq 'true' ? 100 : $6 > 1e-16 ? $6 : 1e-16) with linespoints @" + look + " pt " +
                  std::to_string(ours ? 7 : 4 + entries % 10) + " ps 0.5 title " +
                  quoted(ours ? p.method : p.method + ", " + p.library);
@@ -71,32 +63,21 @@ std::string script(const fs::path& csv, const fs::path& svg, const Measured& mea
     return text.str();
 }
 
-bool is_whole(const fs::path& svg) {
-    std::ifstream file(svg);
-    std::string line, last;
-    while (std::getline(file, line))
-        if (!line.empty()) last = line;
-    return last.ends_with("</svg>");
-}
-
 }  // namespace
 
-bool draw(const fs::path& csv, const Measured& measured) {
+// The figure is drawn beside its place and moved there once it is whole.
+bool draw(const fs::path& csv, const std::string& title, const std::vector<contest::Point>& points) {
     const fs::path svg = fs::path(csv).replace_extension(".svg");
-    const std::string beside =
-        (csv.parent_path() / ("." + svg.stem().string() + "." + std::to_string(getpid()))).string();
-    const fs::path fresh = beside + ".svg", commands = beside + ".gp";
-    course::write_whole(commands, script(csv, fresh, measured));
+    const course::UnfinishedFolder folder(csv.parent_path());
+    const fs::path commands = folder.path() / "commands.gp", fresh = folder.path() / "fresh.svg";
+    course::write_whole(commands, script(csv, fresh, title, points));
     std::string said;
     const int status =
         course::listen({"gnuplot", "-d", commands.string()}, [&](std::string_view text) { said += text; });
-    std::error_code error, ignored;
-    fs::remove(commands, ignored);
-    const bool whole = status == 0 && is_whole(fresh);
-    if (whole) fs::rename(fresh, svg, error);
-    if (whole && !error) return true;
-    fs::remove(fresh, ignored);
+    std::error_code error;
+    if (status == 0) fs::rename(fresh, svg, error);
     if (status == 127) return false;
+    if (status == 0 && !error) return true;
     std::fprintf(stderr, "%s", said.c_str());
     throw course::Stop(course::Status::bad_use, svg.string() + ": could not be drawn");
 }

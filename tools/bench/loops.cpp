@@ -1,12 +1,10 @@
 // What the library costs on one spring, beside a loop written by hand and Boost.odeint. Each step depends on the one
 // before, so its whole latency counts. `bench_loops_O2` and `bench_loops_O3_native` are this file with those flags.
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <string>
 #include <vector>
 
 #ifdef TIMESTEP_WITH_ODEINT
@@ -17,11 +15,9 @@
 #include <timestep/models/spring.hpp>
 #include <timestep/run.hpp>
 
-#include "timing.hpp"
+#include "rows.hpp"
 
 namespace {
-
-constexpr double most_by_hand = 1.05, most_odeint = 1.0;  // the targets: our time over the other's
 
 // One spring, and how to step it. None of it is known to the compiler.
 struct Run {
@@ -127,105 +123,50 @@ template <class Stepper>
     return x[0];
 }
 
-// Its implicit Euler needs uBLAS, which does not compile as C++20 in older Boosts.
+// None for implicit Euler: Boost's needs uBLAS, which does not compile as C++20 in older Boosts.
 const Loop odeint_loops[] = {[](Run r) { return odeint_rate(odeint::euler<Two>(), r); }, odeint_semi_implicit, nullptr,
                              odeint_velocity_verlet, [](Run r) { return odeint_rate(odeint::runge_kutta4<Two>(), r); }};
 #else
 const Loop odeint_loops[5];
 #endif
 
-// ---- The contest
-
-struct Contestant {
-    Loop loop;
-    double nanoseconds = 1e9;  // a step
-};
-
-struct Row {
-    const char* method;
-    Contestant hand, ours, odeint;
-    template <class Visit>
-    void each(const Visit& visit) {
-        for (Contestant* c : {&hand, &ours, &odeint})
-            if (c->loop) visit(*c);
-    }
-};
-
-template <class Method>
-Row row(const Method& method, const Loop& hand, const Loop& odeint) {
-    return {Method::name, {hand}, {[&method](Run r) { return ours(method, r); }}, {odeint}};
-}
-
-std::vector<Row> make_rows() {
-    return {row(timestep::explicit_euler, explicit_euler, odeint_loops[0]),
-            row(timestep::semi_implicit_euler, semi_implicit_euler, odeint_loops[1]),
-            row(timestep::implicit_euler, implicit_euler, odeint_loops[2]),
-            row(timestep::velocity_verlet, velocity_verlet, odeint_loops[3]),
-            row(timestep::runge_kutta_4, runge_kutta_4, odeint_loops[4])};
-}
+// ---- The table
 
 volatile double sink;
 
-Run run_of(long steps) {
+// Times the loops of one method in turns and prints a row. Returns whether they all take the same steps.
+template <class Method>
+bool compare(const Method& method, const Loop& hand, const Loop& odeint) {
     Run run{};
-    run.steps = steps;
-    return run;
-}
-
-// They must agree before they are compared.
-bool agree(std::vector<Row>& rows) {
-    bool good = true;
-    for (Row& row : rows) {
-        const double expected = row.hand.loop(run_of(10000));
-        row.each([&](Contestant& c) {
-            if (std::fabs(c.loop(run_of(10000)) - expected) < 1e-10) return;
-            std::fprintf(stderr, "bench_loops: %s: the loops do not take the same steps\n", row.method);
-            good = false;
-        });
+    run.steps = 10000;
+    std::vector<rows::Row> all;
+    for (const Loop& loop : {hand, Loop([&](Run r) { return ours(method, r); }), odeint}) {
+        if (!loop) continue;
+        if (!(std::fabs(loop(run) - hand(run)) < 1e-10)) {
+            std::fprintf(stderr, "bench_loops: %s: the loops do not take the same steps\n", Method::name);
+            return false;
+        }
+        all.push_back({Method::name, [=] { sink = loop(run); }, double(run.steps)});
     }
-    return good;
-}
-
-// All loops in turns; the fastest turn of each is the least disturbed.
-void measure_times(std::vector<Row>& rows) {
-    constexpr long steps = 10000;
-    for (int turn = 0; turn < 500; ++turn)
-        for (Row& row : rows)
-            row.each([&](Contestant& c) {
-                const double seconds = lab::seconds_of([&] { sink = c.loop(run_of(steps)); });
-                c.nanoseconds = std::min(c.nanoseconds, 1e9 * seconds / steps);
-            });
-}
-
-std::string words(const char* format, double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, format, value);
-    return value > 0 ? text : "-";
-}
-
-void print(const std::vector<Row>& rows) {
-    std::printf("%s\n%-21s%28s   %25s\n", BENCH_FLAGS, "", "ns a step", "ours over");
-    std::printf("%-21s%10s%9s%9s   %13s%12s\n", "", "by hand", "ours", "odeint", "by hand", "odeint");
-    for (const Row& row : rows) {
-        const double hand = row.hand.nanoseconds, ours = row.ours.nanoseconds;
-        const double odeint = row.odeint.loop ? row.odeint.nanoseconds : 0, over = odeint > 0 ? ours / odeint : 0;
-        std::string misses = ours > most_by_hand * hand ? "  misses: time by hand" : "";
-        if (over > most_odeint + 0.02) misses += misses.empty() ? "  misses: odeint's time" : ", odeint's time";
-        std::printf("%-21s%10s%9s%9s   %13s%12s%s\n", row.method, words("%.2f", hand).c_str(),
-                    words("%.2f", ours).c_str(), words("%.2f", odeint).c_str(), words("%.3f", ours / hand).c_str(),
-                    words("%.3f", over).c_str(), misses.c_str());
-    }
-    std::printf("%-21s%28s   %13.2f%12.2f\n", "targets, at most", "", most_by_hand, most_odeint);
-    std::printf("A miss against odeint is marked from 2 %% on: the clock tells no less.\n");
+    rows::measure(all, 500);
+    const double library = all[1].nanoseconds;
+    std::printf("%-21s%10.2f%9.2f%14.3f", Method::name, all[0].nanoseconds, library, library / all[0].nanoseconds);
+    if (odeint) std::printf("%9.2f%14.3f", all[2].nanoseconds, library / all[2].nanoseconds);
+    std::printf("\n");
+    return true;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    auto rows = make_rows();
-    if (argc > 1) return std::fprintf(stderr, "bench_loops: %s: takes no options\n", argv[1]), 2;
-    if (!agree(rows)) return 1;
-    measure_times(rows);
-    print(rows);
+    if (const int refused = rows::refuse_options(argc, argv)) return refused;
+    std::printf("%s\n%-21s%10s%9s%14s%9s%14s\n", BENCH_FLAGS, "ns per step", "by hand", "ours", "ours over it",
+                "odeint", "ours over it");
+    const bool good = compare(timestep::explicit_euler, explicit_euler, odeint_loops[0]) &&
+                      compare(timestep::semi_implicit_euler, semi_implicit_euler, odeint_loops[1]) &&
+                      compare(timestep::implicit_euler, implicit_euler, odeint_loops[2]) &&
+                      compare(timestep::velocity_verlet, velocity_verlet, odeint_loops[3]) &&
+                      compare(timestep::runge_kutta_4, runge_kutta_4, odeint_loops[4]);
     std::printf("\n");
+    return good ? 0 : 1;
 }

@@ -1,13 +1,10 @@
-// The gyroscopic step of many bodies: world coordinates in, world coordinates out. As in Bullet, a body keeps its
-// rotation matrix. A body in lanes is the same struct, with packs for numbers.
-
-#include "many.hpp"
+// What one of many bodies or springs costs, in lanes, beside plain loops and other libraries: first the gyroscopic step
+// of many bodies, world coordinates in, world coordinates out. As in Bullet, a body keeps its rotation matrix. A body
+// in lanes is the same struct, with packs for numbers.
 
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <memory>
-#include <random>
 
 #ifdef TIMESTEP_WITH_BULLET
 #include <BulletDynamics/Dynamics/btRigidBody.h>
@@ -17,164 +14,131 @@
 #include <timestep/gyroscopic/passive_gyroscopic.hpp>
 #include <timestep/lanes.hpp>
 #include <timestep/rigid/body.hpp>
-#include <timestep/rigid/shapes.hpp>
+
+#include "random_body.hpp"
+#include "rows.hpp"
 
 using namespace timestep;
+using rows::Row;
+
+int many_springs();  // many_springs.cpp
 
 namespace {
 
 constexpr float h = 1.0f / 60;
+constexpr int count = 256;  // a multiple of the lanes
 
-template <class Inertia>
+template <class Real>
 struct Body {
-    Inertia inertia;
-    Matrix3<typename Inertia::Scalar> R;
-    Vector3<typename Inertia::Scalar> omega, change;
+    PrincipalInertia<Real> inertia;
+    Matrix3<Real> R;
+    Vector3<Real> omega, change;
 };
+using L = Lanes<float>;
 
-// The same random boxes for everyone; their sides by way of a pack's lanes or as numbers.
-template <class Real>
-struct Crates {
-    explicit Crates(int count) {
-        std::mt19937 random(1);
-        std::uniform_real_distribution<double> side(0.5, 2);
-        std::normal_distribution<double> normal;
-        for (int i = 0; i < count; ++i) {
-            sides.push_back({Real(side(random)), Real(side(random)), Real(side(random))});
-            Quaternion<Real> q;
-            for (int k = 0; k < 4; ++k) q.coeffs()[k] = Real(normal(random));
-            R.push_back(q.normalized().toRotationMatrix());
-            omega.push_back({Real(5 * normal(random)), Real(5 * normal(random)), Real(5 * normal(random))});
-        }
-    }
-    std::vector<Vector3<Real>> sides, omega;
-    std::vector<Matrix3<Real>> R;
-};
-
-template <class Real>
-std::vector<Body<PrincipalInertia<Real>>> one_by_one(const Crates<Real>& crates) {
-    std::vector<Body<PrincipalInertia<Real>>> all;
-    for (std::size_t i = 0; i < crates.R.size(); ++i) {
-        const Vector3<Real>& s = crates.sides[i];
-        all.push_back({box(Real(10), s.x(), s.y(), s.z()), crates.R[i], crates.omega[i], crates.omega[i]});
+std::vector<Body<float>> random_bodies() {
+    RandomBody random(1);
+    std::vector<Body<float>> all;
+    for (int i = 0; i < count; ++i) {
+        const Vector3<float> I = random.inertia(10).moments.cast<float>(), axis = random.direction().cast<float>();
+        const Eigen::AngleAxisf turned(float(6 * random.share()), axis);
+        const Vector3<float> omega = 10 * random.direction().cast<float>();
+        all.push_back({{I.x(), I.y(), I.z()}, turned.toRotationMatrix(), omega, omega});
     }
     return all;
 }
 
-// Their number is a multiple of the lanes.
-template <class Real>
-std::vector<Body<PrincipalInertia<Lanes<Real>>>> in_lanes(const Crates<Real>& crates) {
-    using L = Lanes<Real>;
-    std::vector<Body<PrincipalInertia<L>>> all;
-    for (std::size_t first = 0; first < crates.R.size(); first += L::lanes) {
-        Vector3<L> sides, omega;
+std::vector<Body<L>> in_lanes(const std::vector<Body<float>>& bodies) {
+    std::vector<Body<L>> all;
+    for (std::size_t first = 0; first < bodies.size(); first += L::lanes) {
+        Vector3<L> I, omega;
         Matrix3<L> R;
         for (int i = 0; i < L::lanes; ++i) {
-            const std::size_t one = first + std::size_t(i);
+            const Body<float>& one = bodies[first + std::size_t(i)];
             for (int k = 0; k < 3; ++k) {
-                sides[k].set(i, crates.sides[one][k]);
-                omega[k].set(i, crates.omega[one][k]);
-                for (int j = 0; j < 3; ++j) R(k, j).set(i, crates.R[one](k, j));
+                I[k].set(i, one.inertia.moments[k]);
+                omega[k].set(i, one.omega[k]);
+                for (int j = 0; j < 3; ++j) R(k, j).set(i, one.R(k, j));
             }
         }
-        all.push_back({box(L(10), sides.x(), sides.y(), sides.z()), R, omega, omega});
+        all.push_back({{I.x(), I.y(), I.z()}, R, omega, omega});
     }
     return all;
 }
 
-template <class Inertia, class Solver>
-[[gnu::noinline]] void pass(std::vector<Body<Inertia>>& all, const Solver& solver) {
-    const typename Inertia::Scalar step(h);
-    for (auto& body : all) body.change = gyroscopic_change(solver, body.inertia, body.R, body.omega, step);
+template <class Real, class Solver>
+[[gnu::noinline]] void pass(std::vector<Body<Real>>& all, const Solver& solver) {
+    for (auto& body : all) body.change = gyroscopic_change(solver, body.inertia, body.R, body.omega, Real(h));
 }
 
-template <class Inertia, class Solver>
-many::Row row(const std::string& name, std::vector<Body<Inertia>>& all, const Solver& solver, int count) {
-    return {name, [&all, solver] { pass(all, solver); }, double(count)};
+#ifdef TIMESTEP_WITH_BULLET
+struct Bullet {
+    explicit Bullet(const std::vector<Body<float>>& bodies) : changes(bodies.size()) {
+        for (const auto& b : bodies) {
+            const auto& I = b.inertia.moments;
+            all.push_back(std::make_unique<btRigidBody>(10, nullptr, nullptr, btVector3(I.x(), I.y(), I.z())));
+            btTransform place = btTransform::getIdentity();
+            place.setBasis(btMatrix3x3(b.R(0, 0), b.R(0, 1), b.R(0, 2), b.R(1, 0), b.R(1, 1), b.R(1, 2), b.R(2, 0),
+                                       b.R(2, 1), b.R(2, 2)));
+            all.back()->setWorldTransform(place);
+            all.back()->setAngularVelocity(btVector3(b.omega.x(), b.omega.y(), b.omega.z()));
+        }
+    }
+    void pass() {
+        for (std::size_t i = 0; i < all.size(); ++i) changes[i] = all[i]->computeGyroscopicImpulseImplicit_Body(h);
+    }
+    std::vector<std::unique_ptr<btRigidBody>> all;
+    std::vector<btVector3> changes;
+};
+#endif
+
+int many_bodies() {
+    auto alone = random_bodies();
+    auto lanes = in_lanes(alone);
+    std::vector<Row> all;
+#ifdef TIMESTEP_WITH_BULLET
+    Bullet bullet(alone);
+    all.push_back({"Bullet, implicit", [&] { bullet.pass(); }, count});
+#endif
+    const auto add = [&](const char* name, auto& bodies, const auto& solver) {
+        all.push_back({name, [&bodies, solver] { pass(bodies, solver); }, count});
+    };
+    add("passive, one by one", alone, passive_gyroscopic);
+    add("passive, lanes", lanes, passive_gyroscopic);
+    add("one iteration, one by one", alone, implicit_gyroscopic);
+    add("one iteration, lanes", lanes, implicit_gyroscopic);
+
+    // They must agree before they are compared: all but the order of the last roundings.
+    for (auto& row : all) row.pass();
+    float worst = 0;
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+        const Vector3<L>& pack = lanes[i / L::lanes].change;
+        const int lane = int(i % L::lanes);
+        const Vector3<float>& expected = alone[i].change;
+        worst = std::max(worst, (Vector3<float>(pack.x()[lane], pack.y()[lane], pack.z()[lane]) - expected).norm());
+#ifdef TIMESTEP_WITH_BULLET
+        const btVector3& b = bullet.changes[i];
+        worst = std::max(worst, (Vector3<float>(float(b.x()), float(b.y()), float(b.z())) - expected).norm());
+#endif
+    }
+    if (!(worst < 1e-4f)) {  // of 10 rad/s
+        std::fprintf(stderr, "bench_many: one by one, in lanes and in Bullet differ: %g rad/s\n", double(worst));
+        return 1;
+    }
+
+    measure(all, 200);
+    std::printf("\n%-34s %10s\n", "Gyroscopic step, 256 bodies", "ns a body");
+    for (const Row& row : all) std::printf("%-34s %10.3f\n", row.name.c_str(), row.nanoseconds);
+    return 0;
 }
 
 }  // namespace
 
-int many::bodies() {
-    constexpr int few = 256, lots = 1 << 17;  // within the caches, and beyond them
-    const Crates<float> crates(few), all_crates(lots);
-    const Crates<double> double_crates(few);
-    auto alone = one_by_one(crates);
-    auto lanes = in_lanes(crates);
-    auto double_lanes = in_lanes(double_crates);
-    auto lots_alone = one_by_one(all_crates);
-    auto lots_lanes = in_lanes(all_crates);
-    std::vector<Body<UniformInertia<Lanes<float>>>> balls;
-    for (const auto& b : lanes) balls.push_back({sphere(Lanes<float>(10), Lanes<float>(1)), b.R, b.omega, b.change});
-
-    std::vector<Row> rows;
-#ifdef TIMESTEP_WITH_BULLET
-    std::vector<std::unique_ptr<btRigidBody>> bullet;
-    std::vector<btVector3> bullet_change(few);
-    for (const auto& b : alone) {
-        const auto& I = b.inertia.moments;
-        bullet.push_back(std::make_unique<btRigidBody>(10, nullptr, nullptr, btVector3(I.x(), I.y(), I.z())));
-        btTransform place;
-        place.setOrigin(btVector3(0, 0, 0));
-        place.setBasis(btMatrix3x3(b.R(0, 0), b.R(0, 1), b.R(0, 2), b.R(1, 0), b.R(1, 1), b.R(1, 2), b.R(2, 0),
-                                   b.R(2, 1), b.R(2, 2)));
-        bullet.back()->setWorldTransform(place);
-        bullet.back()->setAngularVelocity(btVector3(b.omega.x(), b.omega.y(), b.omega.z()));
-    }
-    rows.push_back({"Bullet, implicit",
-                    [&] {
-                        for (int i = 0; i < few; ++i)
-                            bullet_change[std::size_t(i)] =
-                                bullet[std::size_t(i)]->computeGyroscopicImpulseImplicit_Body(h);
-                    },
-                    few});
-#endif
-    const std::size_t first_of_ours = rows.size();
-    rows.push_back(row("one iteration, one by one", alone, implicit_gyroscopic, few));
-    rows.push_back(row("passive, one by one", alone, passive_gyroscopic, few));
-    rows.push_back(row("one iteration, lanes", lanes, implicit_gyroscopic, few));
-    rows.push_back(row("passive, lanes", lanes, passive_gyroscopic, few));
-    rows.push_back(row("double: one iteration, lanes", double_lanes, implicit_gyroscopic, few));
-    rows.push_back(row("double: passive, lanes", double_lanes, passive_gyroscopic, few));
-    rows.push_back(row("balls, lanes: nothing", balls, passive_gyroscopic, few));
-    rows.push_back(row("131072, one by one", lots_alone, implicit_gyroscopic, lots));
-    rows.push_back(row("131072, lanes", lots_lanes, implicit_gyroscopic, lots));
-
-    // They must agree before they are compared: all but the order of the last roundings.
-    for (auto& r : rows) r.pass();
-    pass(alone, implicit_gyroscopic), pass(lanes, implicit_gyroscopic);
-    double worst = 0;
-    for (std::size_t i = 0; i < few; ++i) {
-        const auto& in = lanes[i / Lanes<float>::lanes];
-        const int lane = int(i % Lanes<float>::lanes);
-        Vector3<float> off(in.change.x()[lane], in.change.y()[lane], in.change.z()[lane]);
-        const Vector3<float> expected = alone[i].change;
-        worst = std::max(worst, double((off - expected).norm() / alone[i].omega.norm()));
-#ifdef TIMESTEP_WITH_BULLET
-        const btVector3& b = bullet_change[i];
-        off -= Vector3<float>(b.x(), b.y(), b.z());
-        worst = std::max(worst, double(off.norm() / alone[i].omega.norm()));
-#endif
-    }
-    if (!(worst < 1e-5)) {
-        std::fprintf(stderr, "bench_many: one by one, in lanes and in Bullet differ: %g\n", worst);
-        return 1;
-    }
-
-    measure(rows, 200);
-    const bool peer = first_of_ours > 0;
-    std::printf("\n%-34s %10s %10s\n", "Gyroscopic step, 256 bodies", "ns a body", peer ? "of Bullet" : "");
-    const bool native = std::strstr(BENCH_FLAGS, "native");
-    for (const Row& r : rows) {
-        std::printf("%-34s %10.3f", r.name.c_str(), r.nanoseconds);
-        if (peer) {
-            const double share = r.nanoseconds / rows[0].nanoseconds;
-            std::printf(" %10.4f", share);
-            if (r.name == "one iteration, one by one") std::printf("%s", target(share, native ? 0.18 : 0.25).c_str());
-            if (r.name == "one iteration, lanes") std::printf("%s", target(share, native ? 0.012 : 0.05).c_str());
-        }
-        std::printf("\n");
-    }
-    if (!peer) std::printf("Bullet is not installed (package libbullet-dev)\n");
-    return 0;
+int main(int argc, char** argv) {
+    if (const int refused = rows::refuse_options(argc, argv)) return refused;
+    std::printf("%s: %d lanes in float, %d in double\n", BENCH_FLAGS, native_width<float>, native_width<double>);
+    int status = many_bodies();
+    if (status == 0) status = many_springs();
+    std::printf("\n");
+    return status;
 }

@@ -41,7 +41,6 @@ void run_each(const std::vector<std::string>& programs) {
 std::vector<std::string> options_of(const Contest& contest, const std::string& folder) {
     std::vector<std::string> options{"--out", contest.out.value_or((paths().build / "runs" / folder).string())};
     if (contest.quick) options.push_back("--quick");
-    if (contest.json) options.push_back("--json");
     for (const auto& scene : contest.scenes) options.insert(options.end(), {"--scene", scene});
     return options;
 }

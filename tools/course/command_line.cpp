@@ -92,14 +92,13 @@ void declare_bench(CLI::App& app, Asked& asked) {
     bench->add_option("--scene", contest.scenes, "only this scene; repeatable")
         ->type_name("NAME")
         ->allow_extra_args(false);
-    bench->add_flag("--json", contest.json, "every run as JSON, for programs");
     bench->add_option("--out", asked.out, "leave results (CSV) and figures in this folder")->type_name("DIR");
     bench->require_subcommand(0, 1);
     const auto table = [&](const char* name, const char* words) {
         return bench->add_subcommand(name, words)->footer("");  // the footer of bench itself is for bench alone
     };
-    table("loops", "the library beside loops written by hand, and the targets");
-    table("many", "springs and bodies by the thousand, beside other libraries and Bullet, and the targets");
+    table("loops", "the library beside loops written by hand");
+    table("many", "springs and bodies by the thousand, beside plain loops, Boost.odeint and Bullet");
     const auto engines =
         table("engines", "gyroscopic rules inside Bullet, ODE, Box3D and Jolt, before and after: two minutes");
     engines->add_flag("--quick", contest.quick, "fewer throws and shorter flights: half a minute");
@@ -250,7 +249,7 @@ void bench_or_table(const CLI::App& bench, Asked& asked) {
         return;
     }
     const std::string name = others.front()->get_name();
-    for (const char* option : {"--quick", "--scene", "--json", "--out"})
+    for (const char* option : {"--quick", "--scene", "--out"})
         if (bench.get_option(option)->count() > 0)
             throw Stop(Status::bad_use,
                        std::string(option) + ": bench " + name + " does not take it (./course bench --help)");

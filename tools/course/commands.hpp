@@ -76,7 +76,7 @@ void new_exercise(const std::string& chapter, const std::string& name);
 
 /// The options of `bench`: which scenes, how thorough, where the results go.
 struct Contest {
-    bool quick = false, json = false;
+    bool quick = false;
     std::optional<std::string> out;   ///< a folder; default: in the build folder
     std::vector<std::string> scenes;  ///< none: all
 };

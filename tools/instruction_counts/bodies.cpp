@@ -1,5 +1,5 @@
 // A body and a rope, with a term, without it, and by a loop written by hand that has never heard of it: "contact_with",
-// "contact_without", "contact_hand".
+// "contact", "hand_contact".
 
 #include <cmath>
 
@@ -97,8 +97,8 @@ template <class Body, class... Terms>
 template <class With, class Without, class Hand>
 void add(std::vector<Case>& all, const std::string& term, const With& with, const Without& without, const Hand& hand) {
     all.push_back({term + "_with", 500, [=](long n) { kept = with(n); }});
-    all.push_back({term + "_without", 500, [=](long n) { kept = without(n); }});
-    all.push_back({term + "_hand", 500, [=](long n) { kept = hand(n); }});
+    all.push_back({term, 500, [=](long n) { kept = without(n); }});
+    all.push_back({"hand_" + term, 500, [=](long n) { kept = hand(n); }});
 }
 
 void add_bodies(std::vector<Case>& all) {

@@ -34,7 +34,8 @@ struct Body {
 };
 
 // Each step is a function that is called: a compiler could otherwise step several bodies at once, which an engine's
-// layout does not allow. What the function calls is inlined in it (flatten), for all three alike.
+// layout does not allow. What the function calls is inlined in it (flatten, and the parameter in CMakeLists.txt), for
+// all three alike.
 template <class Solver, class Inertia, class Real>
 [[gnu::noinline, gnu::flatten]] void library(const Solver& solver, Body<Inertia>& b, Real h) {
     b.omega = after_gyroscopic_torque(solver, b.inertia, b.q, b.omega, h);
@@ -89,17 +90,22 @@ template <class Inertia, class Real>
 void add_rules(std::vector<Case>& all, const std::string& kind, const Inertia& inertia, Real x, Real y, Real z) {
     const Real size = Real(unknown_one);
     const Quaternion<Real> q = Quaternion<Real>(size, 2, 3, 4).normalized();
-    const std::string passive = "passive" + kind, half = "half_step" + kind, calm = "calm" + kind;
+    // Two equal moments turn by one formula, whatever the rule: one rule is counted.
+    constexpr bool three = std::is_same_v<Inertia, PrincipalInertia<Real>>;
     if constexpr (std::is_same_v<Real, float>) {
         const Body<Inertia> b{inertia, gyroscopic_from_momentsf(x, y, z), q, {size, 2, 3}, AnyInertia<Real>({x, y, z})};
-        add<gyroscopic_passivef, gyroscopic_passive_in_worldf>(all, passive, passive_gyroscopic, b);
-        add<gyroscopic_half_stepf, gyroscopic_half_step_in_worldf>(all, half, half_step_jacobian, b);
-        add<gyroscopic_calm_half_stepf, gyroscopic_calm_half_step_in_worldf>(all, calm, calm_half_step, b);
+        if constexpr (three) {
+            add<gyroscopic_passivef, gyroscopic_passive_in_worldf>(all, "passive" + kind, passive_gyroscopic, b);
+            add<gyroscopic_half_stepf, gyroscopic_half_step_in_worldf>(all, "half_step" + kind, half_step_jacobian, b);
+        }
+        add<gyroscopic_calm_half_stepf, gyroscopic_calm_half_step_in_worldf>(all, "calm" + kind, calm_half_step, b);
     } else {
         const Body<Inertia> b{inertia, gyroscopic_from_moments(x, y, z), q, {size, 2, 3}, AnyInertia<Real>({x, y, z})};
-        add<gyroscopic_passive, gyroscopic_passive_in_world>(all, passive, passive_gyroscopic, b);
-        add<gyroscopic_half_step, gyroscopic_half_step_in_world>(all, half, half_step_jacobian, b);
-        add<gyroscopic_calm_half_step, gyroscopic_calm_half_step_in_world>(all, calm, calm_half_step, b);
+        if constexpr (three) {
+            add<gyroscopic_passive, gyroscopic_passive_in_world>(all, "passive" + kind, passive_gyroscopic, b);
+            add<gyroscopic_half_step, gyroscopic_half_step_in_world>(all, "half_step" + kind, half_step_jacobian, b);
+        }
+        add<gyroscopic_calm_half_step, gyroscopic_calm_half_step_in_world>(all, "calm" + kind, calm_half_step, b);
     }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Rigid bodies as entries of a contest, ours and other people's.
+// Rigid bodies as entries of a contest, ours and other libraries'.
 
 #include <memory>
 #include <string>
@@ -8,7 +8,7 @@
 #include <timestep/methods/runge_kutta_4.hpp>
 #include <timestep/rigid/free_body.hpp>
 
-#include "contest.hpp"
+#include "runner.hpp"
 
 namespace contest {
 
@@ -23,44 +23,36 @@ Place place(const timestep::Matrix3<Real>& R) {
     return Place(numbers.data(), numbers.data() + 9);
 }
 
-// A body that is stepped. One call of `advance` takes a whole run, so the cost of the call does not count.
-class Runner {
-public:
-    virtual ~Runner() = default;
-    virtual void restart() = 0;
-    virtual void advance(double h, long steps) = 0;
-    virtual void count(Work& work, double h) const = 0;
-    virtual Place place() const = 0;
-    virtual double number() const = 0;
-};
-
-Entry stepped(const std::string& method, const std::string& library,
-              std::unique_ptr<Runner>);  // bodies.cpp
-
 // A `Body` has restart(), which puts it back to the start; step(h); count(work, h), called before a step, which adds
 // what that step evaluates and solves; place(); and number(), any number that depends on all steps.
 template <class Body>
-class RunnerOf : public Runner {
+class BodyRunner : public Runner {
 public:
-    explicit RunnerOf(const Body& body) : body_(body) {}
+    explicit BodyRunner(const Body& body) : body_(body) {}
 
-    void restart() override { body_.restart(); }
-    void advance(double h, long steps) override {
+    void restart(long steps) override { body_.restart(), h_ = duration / double(steps); }
+    void advance(long n) override {
         Body body = body_;  // nobody else has a pointer to the copy: it may stay in registers
-        for (long i = 0; i < steps; ++i) body.step(h);
+        for (long i = 0; i < n; ++i) body.step(h_);
         body_ = body;
     }
-    void count(Work& work, double h) const override { body_.count(work, h); }
     Place place() const override { return body_.place(); }
     double number() const override { return double(body_.number()); }
+    Work work(long steps) override {
+        Work work;
+        restart(steps);
+        for (; work.steps < steps; ++work.steps) body_.count(work, h_), advance(1);
+        return work;
+    }
 
 private:
     Body body_;
+    double h_ = 0;
 };
 
 template <class Body>
 Entry stepped(const std::string& method, const std::string& library, const Body& body) {
-    return stepped(method, library, std::unique_ptr<Runner>(new RunnerOf<Body>(body)));
+    return make_entry(method, library, std::make_unique<BodyRunner<Body>>(body));
 }
 
 // What one step needs. The gyroscopic torque ω × Iω is the force of a free body; a solve is one of three equations, by
@@ -110,5 +102,12 @@ struct TurningByRungeKutta {
     Place place() const { return contest::place<double>(unstacked(s).q.toRotationMatrix()); }
     double number() const { return s.y[3]; }
 };
+
+// Bullet's and ODE's bodies, turning freely, each defined where CMake has found the library. Neither uses two equal
+// moments. Where our solvers do, `which` says that theirs do not: ", three moments".
+void enter_bullet(Scene&, const timestep::PrincipalInertia<double>&, const timestep::RigidState<double>& start,
+                  const std::string& which);
+void enter_ode(Scene&, const timestep::PrincipalInertia<double>&, const timestep::RigidState<double>& start,
+               const std::string& which);
 
 }  // namespace contest

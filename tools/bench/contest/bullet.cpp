@@ -1,7 +1,5 @@
 // Bullet's gyroscopic solver on one body, without a world around it.
 
-#include "spin_peers.hpp"
-
 #ifdef TIMESTEP_WITH_BULLET
 
 #include <memory>
@@ -9,6 +7,8 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include "bodies.hpp"
+
+using namespace timestep;
 
 namespace contest {
 
@@ -56,8 +56,9 @@ struct BulletBody {
 
 }  // namespace
 
-void enter_bullet(Scene& scene, const Moments& inertia, const Start& start, const std::string& which) {
-    const auto vector = [](const timestep::Vector3<double>& v) {
+void enter_bullet(Scene& scene, const PrincipalInertia<double>& inertia, const RigidState<double>& start,
+                  const std::string& which) {
+    const auto vector = [](const Vector3<double>& v) {
         return btVector3(btScalar(v.x()), btScalar(v.y()), btScalar(v.z()));
     };
     const std::string real = sizeof(btScalar) == sizeof(float) ? ", float" : "";
@@ -70,12 +71,6 @@ void enter_bullet(Scene& scene, const Moments& inertia, const Start& start, cons
     }
 }
 
-}  // namespace contest
-
-#else
-
-namespace contest {
-void enter_bullet(Scene&, const Moments&, const Start&, const std::string&) {}
 }  // namespace contest
 
 #endif

@@ -1,7 +1,6 @@
 #pragma once
 // The course's methods as entries of a contest.
 
-#include <cmath>
 #include <memory>
 #include <string>
 
@@ -10,6 +9,7 @@
 #include <timestep/run.hpp>
 
 #include "counted.hpp"
+#include "runner.hpp"
 
 namespace contest {
 
@@ -22,83 +22,46 @@ Place place(const timestep::State<X>& s) {
         return Place(s.x.begin(), s.x.end());
 }
 
-// The result of the timed run.
-template <class State>
-void drain(const State& s) {
-    if constexpr (std::is_arithmetic_v<decltype(s.x)>)
-        sink = double(s.x);
-    else
-        sink = double(s.x[0]);
-}
-
-// A method on a problem. One call takes all steps of a run, so the cost of the call does not count.
-template <class S>
-struct Stepper {
-    using Real = timestep::real_of<S>;
-    virtual ~Stepper() = default;
-
-    virtual void advance(S& s, Real h, long steps) const = 0;      // s goes so many steps on
-    virtual Work count(const S& s, Real h, long steps) const = 0;  // what these steps need
-    virtual bool two_step() const = 0;                             // the next step depends on more than one state
-};
-
+// A method of the course on a model.
 template <class Method, class Model, class S>
-struct StepperOf : Stepper<S> {
+class StateRunner : public Runner {
     using Real = timestep::real_of<S>;
-    Method method;
-    Model model;
 
-    StepperOf(const Method& its_method, const Model& its_model) : method(its_method), model(its_model) {}
+public:
+    StateRunner(const Method& method, const Model& model, const S& start)
+        : method_(method), model_(model), start_(start) {}
 
-    void advance(S& s, Real h, long steps) const override { s = run(method, model, s, h, steps); }
-    Work count(const S& s, Real h, long steps) const override {
-        Work work{steps, 0, 0};
-        run(method, Counted<Model>{&model, &work}, s, h, steps);
-        return work;
+    void restart(long steps) override { s_ = start_, h_ = Real(duration / double(steps)); }
+    void advance(long n) override { s_ = run(method_, model_, s_, h_, n); }
+    Place place() const override { return contest::place(s_); }
+    double number() const override {
+        if constexpr (std::is_arithmetic_v<decltype(s_.x)>)
+            return double(s_.x);
+        else
+            return double(s_.x[0]);
     }
-    bool two_step() const override { return timestep::TwoStepMethod<Method, Model, S>; }
+    Work work(long steps) override {
+        const auto count = [&](long n) {
+            Work work;
+            run(method_, Counted<Model>{&model_, &work}, start_, Real(duration / double(steps)), n);
+            return work;
+        };
+        const Work all = count(steps), before = count(0);  // run() evaluates the force, too
+        return {steps, all.evaluations - before.evaluations, all.solves - before.solves};
+    }
+    // A two-step method needs more than one state, and run() refuses to start from a NaN.
+    bool stuck() const override { return timestep::TwoStepMethod<Method, Model, S> || !is_finite(s_); }
+
+private:
+    Method method_;
+    Model model_;
+    S start_, s_ = start_;
+    Real h_ = 0;
 };
-
-// The places at the marks. A one-step method goes on from the last mark. A two-step method starts again at the
-// beginning for each mark, and so does a run that has blown up: run() refuses to start from a NaN.
-template <class S>
-Track track(const Stepper<S>& stepper, const S& start, timestep::real_of<S> h, long steps) {
-    const long every = steps / marks;
-    Track track;
-    S s = start;
-    for (long mark = 1; mark <= marks; ++mark) {
-        const bool anew = stepper.two_step() || !is_finite(s);
-        if (anew) s = start;
-        stepper.advance(s, h, anew ? mark * every : every);
-        track.push_back(place(s));
-    }
-    return track;
-}
-
-template <class S>
-Entry entry(const std::string& method, const std::string& library, std::unique_ptr<Stepper<S>> its_stepper,
-            const S& start) {
-    const std::shared_ptr<Stepper<S>> stepper = std::move(its_stepper);
-    const auto h = [](long steps) { return timestep::real_of<S>(duration / double(steps)); };
-    Entry e{method, library, {}, {}, {}};
-    e.track = [=](long steps) { return track(*stepper, start, h(steps), steps); };
-    e.run = [=](long steps) {
-        S s = start;
-        stepper->advance(s, h(steps), steps);
-        drain(s);
-    };
-    e.work = [=](long steps) {
-        const Work work = stepper->count(start, h(steps), steps);
-        const Work before = stepper->count(start, h(steps), 0);  // run() evaluates the force, too
-        return Work{steps, work.evaluations - before.evaluations, work.solves - before.solves};
-    };
-    return e;
-}
 
 template <class Method, class Model, class S>
 Entry entry(const Method& method, const Model& model, const S& start, const std::string& library = "Timestep") {
-    std::unique_ptr<Stepper<S>> stepper(new StepperOf<Method, Model, S>(method, model));
-    return entry(Method::name, library, std::move(stepper), start);
+    return make_entry(Method::name, library, std::make_unique<StateRunner<Method, Model, S>>(method, model, start));
 }
 
 // Enters every method of the course that steps this force.

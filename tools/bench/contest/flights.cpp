@@ -47,7 +47,6 @@ constexpr double restitution = 0.8;  // the speed after the bounce over the spee
 constexpr double drop = 5;           // m
 const Drag<double> beach_ball = Drag<double>::from_terminal_speed(8.0, g);
 
-/// [bouncing]
 // As games do it: take a step; if the ball is below the ground, mirror its height and its velocity.
 template <class Method>
 struct Bouncing {
@@ -64,9 +63,7 @@ struct Bouncing {
         return state2;
     }
 };
-/// [bouncing]
 
-/// [true_height]
 // Where the ball is at the marks. With the terminal speed c = √(g/k), a ball that is thrown up with
 // v₀ has the speed c tan(φ − gt/c), where tan φ = v₀/c, and one that falls c tanh(gt/c).
 // Integrated:
@@ -96,7 +93,6 @@ Track true_heights() {
     }
     return track;
 }
-/// [true_height]
 
 }  // namespace
 

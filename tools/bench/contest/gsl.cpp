@@ -2,19 +2,19 @@
 
 #ifdef TIMESTEP_WITH_GSL
 
-#include "peers/gsl.hpp"
-
 #include <algorithm>
 #include <limits>
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
+#include "peers.hpp"
+
 namespace contest::gsl {
 
 namespace {
 
-gsl_odeiv2_system system_of(const Problem& problem) {
+gsl_odeiv2_system system_of(const Problem<Slope>& problem) {
     return {problem.slope, nullptr, problem.start.size(), problem.model.get()};
 }
 
@@ -23,17 +23,15 @@ gsl_odeiv2_system system_of(const Problem& problem) {
 // the force 11 times per step. The estimate cannot be switched off.
 class Doubling : public Solver {
 public:
-    explicit Doubling(const Problem& problem)
-        : Solver(false),
-          problem_(problem),
+    explicit Doubling(const Problem<Slope>& problem)
+        : problem_(problem),
           system_(system_of(problem_)),
           y_(problem_.start),
           error_(y_.size()),
           step_(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk4, y_.size()), gsl_odeiv2_step_free) {}
 
     void restart(long steps) override {
-        h_ = duration / double(steps);
-        t_ = 0;
+        h_ = duration / double(steps), t_ = 0;
         y_ = problem_.start;
         gsl_odeiv2_step_reset(step_.get());
     }
@@ -41,10 +39,10 @@ public:
         for (long i = 0; i < n; ++i, t_ += h_)
             gsl_odeiv2_step_apply(step_.get(), t_, h_, y_.data(), error_.data(), nullptr, nullptr, &system_);
     }
-    const double* place() const override { return y_.data(); }
+    const double* numbers() const override { return y_.data(); }
 
 private:
-    Problem problem_;
+    Problem<Slope> problem_;
     gsl_odeiv2_system system_;
     double t_ = 0, h_ = 0;
     std::vector<double> y_, error_;
@@ -52,44 +50,40 @@ private:
 };
 
 // Prince and Dormand's pair of order eight, with GSL's driver, which ends a step on every mark.
-class Adaptive : public Solver {
+class Adaptive : public AdaptiveSolver {
 public:
-    explicit Adaptive(const Problem& problem)
-        : Solver(true),
-          problem_(problem),
+    explicit Adaptive(const Problem<Slope>& problem)
+        : problem_(problem),
           system_(system_of(problem_)),
           y_(problem_.start),
           driver_(gsl_odeiv2_driver_alloc_y_new(&system_, gsl_odeiv2_step_rk8pd, 1e-3, 1, 1), gsl_odeiv2_driver_free) {
         gsl_set_error_handler_off();  // it would end the program; the status that is returned tells enough
     }
 
-    void restart(long steps) override {
+    void begin(long steps) override {
         gsl_odeiv2_control_init(driver_->c, tolerance(steps) * problem_.size, 0, 1, 0);
         gsl_odeiv2_driver_reset_hstart(driver_.get(), duration / double(steps));
         t_ = 0;
-        mark_ = 0;
         y_ = problem_.start;
     }
-    void advance(long n) override {
-        for (const int last = mark_ + int(n); mark_ < last;)
-            if (gsl_odeiv2_driver_apply(driver_.get(), &t_, duration * ++mark_ / marks, y_.data()) != GSL_SUCCESS)
-                std::fill(y_.begin(), y_.end(), std::numeric_limits<double>::quiet_NaN());
+    void go_to(double time) override {
+        if (gsl_odeiv2_driver_apply(driver_.get(), &t_, time, y_.data()) != GSL_SUCCESS)
+            std::fill(y_.begin(), y_.end(), std::numeric_limits<double>::quiet_NaN());
     }
-    const double* place() const override { return y_.data(); }
+    const double* numbers() const override { return y_.data(); }
     long steps_taken() const override { return long(driver_->e->count); }
 
 private:
-    Problem problem_;
+    Problem<Slope> problem_;
     gsl_odeiv2_system system_;
     double t_ = 0;
-    int mark_ = 0;
     std::vector<double> y_;
     std::unique_ptr<gsl_odeiv2_driver, decltype(&gsl_odeiv2_driver_free)> driver_;
 };
 
 }  // namespace
 
-Methods methods(const Problem& problem) {
+Methods methods(const Problem<Slope>& problem) {
     Methods all;
     all.push_back({"Runge-Kutta 4, doubled", std::make_unique<Doubling>(problem)});
     all.push_back({"Prince-Dormand 8, adaptive", std::make_unique<Adaptive>(problem)});

@@ -1,7 +1,5 @@
 // A body in a world of ODE's, alone and without gravity.
 
-#include "spin_peers.hpp"
-
 #ifdef TIMESTEP_WITH_ODE
 
 #include <memory>
@@ -9,6 +7,8 @@
 #include <ode/ode.h>
 
 #include "bodies.hpp"
+
+using namespace timestep;
 
 namespace contest {
 
@@ -19,7 +19,7 @@ struct World {
     dWorldID world;
     dBodyID body;
 
-    explicit World(const Moments& inertia) {
+    explicit World(const PrincipalInertia<double>& inertia) {
         dInitODE2(0);
         world = dWorldCreate();
         body = dBodyCreate(world);
@@ -43,7 +43,7 @@ struct World {
 // exponential map.
 struct OdeBody {
     std::shared_ptr<World> in;
-    Start start;
+    RigidState<double> start;
 
     void restart() {
         const dQuaternion q{start.q.w(), start.q.x(), start.q.y(), start.q.z()};
@@ -64,17 +64,12 @@ struct OdeBody {
 
 }  // namespace
 
-void enter_ode(Scene& scene, const Moments& inertia, const Start& start, const std::string& which) {
+void enter_ode(Scene& scene, const PrincipalInertia<double>& inertia, const RigidState<double>& start,
+               const std::string& which) {
     const OdeBody body{std::make_shared<World>(inertia), start};
     scene.entries.push_back(stepped("passive" + which + ", in a world's step", "ODE", body));
 }
 
-}  // namespace contest
-
-#else
-
-namespace contest {
-void enter_ode(Scene&, const Moments&, const Start&, const std::string&) {}
 }  // namespace contest
 
 #endif

@@ -3,8 +3,6 @@
 
 #ifdef TIMESTEP_WITH_ODEINT
 
-#include "peers/odeint.hpp"
-
 #include <algorithm>
 #include <utility>
 
@@ -25,169 +23,148 @@
 #include <timestep/models/spring.hpp>
 #include <timestep/scene.hpp>
 
-#include "peers/peer.hpp"
+#include "peers.hpp"
 
 namespace contest::odeint {
 
 using timestep::State;
 using namespace boost::numeric::odeint;
 
-// Any of its steppers for ẏ = f(y), with a fixed step. (A stepper that keeps the force for the next step evaluates it
-// again in each call, with the same result.)
-/// [fixed]
-template <class Stepper, class Model, class X>
-struct Fixed {
-    using Y = Flat<X>;
-    Model model;
-    State<X> start;
+// The forms in which its steppers take a problem: the state Y, and the functions of it that `system` returns.
 
-    Y begin() const {
-        Y y;
-        write(start, y.data());
-        return y;
-    }
-    void advance(Y& all, double h, long steps) const {
-        const auto f = [this](const Y& y, Y& dydt, double) { slope<X>(model, y.data(), dydt.data()); };
-        double t = 0;
-        Y y = all;  // nobody else has a pointer to the copy: it may stay in registers
-        Stepper stepper;
-        for (long i = 0; i < steps; ++i, t += h) stepper.do_step(f, y, t, h);
-        all = y;
+// ẏ = f(y). (A stepper that keeps the force for the next step evaluates it again in each call, with the same result.)
+template <class Stepper_, class X>
+struct FirstOrderForm {
+    using Stepper = Stepper_;
+    using Y = Flat<X>;
+
+    static void begin(Y& y, const State<X>& start) { write(start, y.data()); }
+    template <class Model>
+    static auto system(const Model& model) {
+        return [&model](const Y& y, Y& dydt, double) { slope<X>(model, y.data(), dydt.data()); };
     }
     static const double* place(const Y& y) { return y.data(); }
 };
-/// [fixed]
 
 // Its symplectic Euler moves the coordinates with the old momenta, and then the momenta at the new coordinates.
 // Exchange the two and it is semi-implicit Euler: here the velocity is the coordinate, and the position the momentum.
-template <class Model, class X>
-struct SymplecticEuler {
+template <class X>
+struct SymplecticEulerForm {
+    using Stepper = symplectic_euler<Half<X>>;
     using Y = std::pair<Half<X>, Half<X>>;  // v, x
-    Model model;
-    State<X> start;
 
-    Y begin() const {
-        Y vx;
-        write(start.v, vx.first.data());
-        write(start.x, vx.second.data());
-        return vx;
+    static void begin(Y& vx, const State<X>& start) {
+        write(start.v, vx.first.data()), write(start.x, vx.second.data());
     }
-    void advance(Y& all, double h, long steps) const {
-        const auto v_dot = [this](const Half<X>& x, Half<X>& dvdt) {
+    template <class Model>
+    static auto system(const Model& model) {
+        const auto v_dot = [&model](const Half<X>& x, Half<X>& dvdt) {
             write(acceleration(model, read<X>(x.data())), dvdt.data());
         };
-        const auto x_dot = [](const Half<X>& v, Half<X>& dxdt) { dxdt = v; };
-        double t = 0;
-        Y vx = all;
-        symplectic_euler<Half<X>> stepper;
-        for (long i = 0; i < steps; ++i, t += h) stepper.do_step(std::make_pair(v_dot, x_dot), vx, t, h);
-        all = vx;
+        return std::make_pair(v_dot, [](const Half<X>& v, Half<X>& dxdt) { dxdt = v; });
     }
     static const double* place(const Y& vx) { return vx.second.data(); }
 };
 
 // It keeps the force at the end of a step for the next one: it asks once a step, ours asks twice.
-template <class Model, class X>
-struct VelocityVerlet {
+template <class X>
+struct VelocityVerletForm {
+    using Stepper = velocity_verlet<Half<X>>;
     using Y = std::pair<Half<X>, Half<X>>;  // x, v
-    Model model;
-    State<X> start;
 
-    Y begin() const {
-        Y xv;
-        write(start.x, xv.first.data());
-        write(start.v, xv.second.data());
-        return xv;
+    static void begin(Y& xv, const State<X>& start) {
+        write(start.x, xv.first.data()), write(start.v, xv.second.data());
     }
-    void advance(Y& all, double h, long steps) const {
-        const auto a = [this](const Half<X>& x, const Half<X>&, Half<X>& dvdt, double) {
+    template <class Model>
+    static auto system(const Model& model) {
+        return [&model](const Half<X>& x, const Half<X>&, Half<X>& dvdt, double) {
             write(acceleration(model, read<X>(x.data())), dvdt.data());
         };
-        double t = 0;
-        Y xv = all;
-        velocity_verlet<Half<X>> stepper;
-        for (long i = 0; i < steps; ++i, t += h) stepper.do_step(a, xv, t, h);
-        all = xv;
     }
     static const double* place(const Y& xv) { return xv.first.data(); }
 };
 
-// Any of these as a solver.
-template <class Way>
-class Marching : public Solver {
+// With a fixed step.
+template <class Form, class Model, class X>
+class Fixed : public Solver {
 public:
-    explicit Marching(const Way& way) : Solver(false), way_(way) {}
+    Fixed(const Model& model, const State<X>& start) : model_(model), start_(start) {}
 
-    void restart(long steps) override { h_ = duration / double(steps), y_ = way_.begin(); }
-    void advance(long n) override { way_.advance(y_, h_, n); }
-    const double* place() const override { return Way::place(y_); }
+    void restart(long steps) override { h_ = duration / double(steps), Form::begin(y_, start_); }
+    void advance(long n) override {
+        const auto f = Form::system(model_);
+        double t = 0;
+        typename Form::Y y = y_;  // nobody else has a pointer to the copy: it may stay in registers
+        typename Form::Stepper stepper;
+        for (long i = 0; i < n; ++i, t += h_) stepper.do_step(f, y, t, h_);
+        y_ = y;
+    }
+    const double* numbers() const override { return Form::place(y_); }
 
 private:
-    Way way_;
+    Model model_;
+    State<X> start_;
     double h_ = 0;
-    typename Way::Y y_ = {};
+    typename Form::Y y_ = {};
 };
 
 // Steps as long as the tolerance lets it, cut where a mark is near.
 template <class Model, class X>
-class Adaptive : public Solver {
-public:
-    Adaptive(const Model& model, const State<X>& start, double size)
-        : Solver(true), model_(model), start_(start), size_(size) {}
+class Adaptive : public AdaptiveSolver {
+    using Dopri5 = runge_kutta_dopri5<Flat<X>>;
 
-    void restart(long steps) override {
-        allowed_ = tolerance(steps) * size_;
+public:
+    Adaptive(const Model& model, const State<X>& start, double size) : model_(model), start_(start), size_(size) {}
+
+    void begin(long steps) override {
+        stepper_ = make_controlled<Dopri5>(tolerance(steps) * size_, 0.0);
         wish_ = duration / double(steps);
-        t_ = 0, mark_ = 0, taken_ = 0;
+        t_ = 0, taken_ = 0;
         write(start_, y_.data());
     }
-    void advance(long n) override {
+    void go_to(double end) override {
         const auto f = [this](const Flat<X>& y, Flat<X>& dydt, double) { slope<X>(model_, y.data(), dydt.data()); };
-        auto stepper = make_controlled<runge_kutta_dopri5<Flat<X>>>(allowed_, 0.0);
         Flat<X> y = y_;
         double t = t_, wish = wish_;
-        long taken = taken_;
-        for (const int last = mark_ + int(n); mark_ < last;) {
-            const double end = duration * ++mark_ / marks;
-            while (t < end) {
-                const bool cut = end - t < wish;
-                double h = cut ? end - t : wish;
-                if (stepper.try_step(f, y, t, h) == fail) {
-                    wish = h;
-                    continue;
-                }
-                ++taken;
-                if (cut) t = end;
-                wish = cut ? std::max(wish, h) : h;  // a cut step says nothing against a longer one
+        while (t < end) {
+            const bool cut = end - t < wish;
+            double h = cut ? end - t : wish;
+            if (stepper_.try_step(f, y, t, h) == fail) {
+                wish = h;
+                continue;
             }
+            ++taken_;
+            if (cut) t = end;
+            wish = cut ? std::max(wish, h) : h;  // a cut step says nothing against a longer one
         }
-        y_ = y, t_ = t, wish_ = wish, taken_ = taken;
+        y_ = y, t_ = t, wish_ = wish;
     }
-    const double* place() const override { return y_.data(); }
+    const double* numbers() const override { return y_.data(); }
     long steps_taken() const override { return taken_; }
 
 private:
     Model model_;
     State<X> start_;
-    double size_, allowed_ = 0, t_ = 0, wish_ = 0;
-    int mark_ = 0;
+    double size_, t_ = 0, wish_ = 0;
     long taken_ = 0;
     Flat<X> y_ = {};
+    decltype(make_controlled<Dopri5>(0.0, 0.0)) stepper_;
 };
 
 template <class Model, class X>
 Methods methods(const Model& model, const State<X>& start, double size) {
     Methods all;
-    const auto add = [&](const char* name, Solver* solver) { all.push_back({name, std::unique_ptr<Solver>(solver)}); };
-    using Dopri5 = runge_kutta_dopri5<Flat<X>>;
-    add("explicit Euler", new Marching<Fixed<euler<Flat<X>>, Model, X>>({model, start}));
+    const auto fixed = [&]<class Form>(const char* name, Form) {
+        all.push_back({name, std::make_unique<Fixed<Form, Model, X>>(model, start)});
+    };
+    fixed("explicit Euler", FirstOrderForm<euler<Flat<X>>, X>());
     if constexpr (timestep::PositionForce<Model, X>) {
-        add("semi-implicit Euler", new Marching<SymplecticEuler<Model, X>>({model, start}));
-        add("velocity Verlet", new Marching<VelocityVerlet<Model, X>>({model, start}));
+        fixed("semi-implicit Euler", SymplecticEulerForm<X>());
+        fixed("velocity Verlet", VelocityVerletForm<X>());
     }
-    add("Runge-Kutta 4", new Marching<Fixed<runge_kutta4<Flat<X>>, Model, X>>({model, start}));
-    add("Dormand-Prince 5", new Marching<Fixed<Dopri5, Model, X>>({model, start}));
-    add("Dormand-Prince 5, adaptive", new Adaptive<Model, X>(model, start, size));
+    fixed("Runge-Kutta 4", FirstOrderForm<runge_kutta4<Flat<X>>, X>());
+    fixed("Dormand-Prince 5", FirstOrderForm<runge_kutta_dopri5<Flat<X>>, X>());
+    all.push_back({"Dormand-Prince 5, adaptive", std::make_unique<Adaptive<Model, X>>(model, start, size)});
     return all;
 }
 

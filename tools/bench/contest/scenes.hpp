@@ -12,9 +12,9 @@ Scene drag();              // flights.cpp
 Scene bouncing_ball();     // flights.cpp
 Scene spring();            // springs.cpp
 Scene damped_spring();     // springs.cpp
-Scene spring_3d();         // springs_of_vectors.cpp
+Scene spring_3d();         // springs.cpp
 Scene stiff_spring();      // springs.cpp
-Scene two_time_scales();   // springs_of_vectors.cpp
+Scene two_time_scales();   // springs.cpp
 Scene dzhanibekov();       // spins.cpp
 Scene symmetric_top();     // spins.cpp
 Scene capsule_on_plane();  // plane.cpp

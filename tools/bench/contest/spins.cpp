@@ -6,7 +6,6 @@
 
 #include "bodies.hpp"
 #include "scenes.hpp"
-#include "spin_peers.hpp"
 
 using namespace timestep;
 
@@ -40,8 +39,12 @@ void enter_others(Scene& scene, double I1, double I2, double I3, const RigidStat
     const PrincipalInertia<float> inertia{float(I1), float(I2), float(I3)};
     const RigidState<float> rounded{0, start.q.cast<float>(), start.omega.cast<float>()};
     enter(scene, implicit_gyroscopic, inertia, rounded, which + ", float");
+#ifdef TIMESTEP_WITH_BULLET
     enter_bullet(scene, {I1, I2, I3}, start, which);
+#endif
+#ifdef TIMESTEP_WITH_ODE
     enter_ode(scene, {I1, I2, I3}, start, which);
+#endif
 }
 
 // At the marks, in `long double`: the formulas' roundoff is below that of `double`.

@@ -1,5 +1,5 @@
 #pragma once
-// What the two halves of bench_many share: rows that are timed in turns.
+// Rows of a table that are timed in turns.
 
 #include <algorithm>
 #include <cstdio>
@@ -9,14 +9,14 @@
 
 #include "timing.hpp"
 
-namespace many {
+namespace rows {
 
 struct Row {
     std::string name;
     std::function<void()> pass;  // once over all
     double steps;                // that a pass takes: bodies, times the steps of each
-    double nanoseconds = 1e9;    // a step, in the fastest turn
-    long passes = 1;             // a turn
+    double nanoseconds = 1e9;    // per step, in the fastest turn
+    long passes = 1;             // per turn
 };
 
 inline double time_of(const Row& row) {
@@ -37,15 +37,10 @@ inline void measure(std::vector<Row>& rows, int turns) {
         for (Row& row : rows) row.nanoseconds = std::min(row.nanoseconds, time_of(row));
 }
 
-// "target: at most 0.012, reached".
-inline std::string target(double value, double limit, bool at_most = true) {
-    char text[80];
-    std::snprintf(text, sizeof text, "  target: at %s %g, %s", at_most ? "most" : "least", limit,
-                  (at_most ? value <= limit : value >= limit) ? "reached" : "missed");
-    return text;
+// Exit status 2 with one line for a program that takes no options, else 0.
+inline int refuse_options(int argc, char** argv) {
+    if (argc > 1) std::fprintf(stderr, "%s: %s: takes no options\n", argv[0], argv[1]);
+    return argc > 1 ? 2 : 0;
 }
 
-int bodies();   // many_bodies.cpp
-int springs();  // many_springs.cpp
-
-}  // namespace many
+}  // namespace rows
