@@ -199,10 +199,3 @@ TEST_CASE("several dampers are swept there and back, and a stiff joint gets impl
         CHECK(answer(joint, 1.0 / 60).choice->name == "joint");
     }
 }
-
-TEST_CASE("where BDF2 is not right and implicit Euler is, that one is recommended", "[library][I13]") {
-    CHECK(answer(DampedSpring<double>(1e6, 0.01), 1.0 / 60).method == "implicit Euler");
-    CHECK(answer(DampedSpring<double>(1000, 0), 1.0 / 60).method == "BDF2");
-    CHECK(answer(DampedSpring<double>(1000, 0), 1.0 / 60, {.keeps_size = true}).method == "implicit midpoint");
-    CHECK(answer(DampedSpring<double>(100, 0.05), 1.0 / 60).position_error > 0.3);  // told at its two substeps
-}

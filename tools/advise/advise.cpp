@@ -8,102 +8,9 @@
 #include <timestep/checks.hpp>
 
 #include "method_on_spring.hpp"
-#include "verdict.hpp"
-
-#if defined(__clang__)  // what is long double here is meant to be
-#pragma clang diagnostic ignored "-Wdouble-promotion"
-#endif
+#include "words.hpp"
 
 namespace timestep {
-
-namespace {
-
-Reason judge(const MethodOnSpring& method, const SpringScene& scene, double h, const Growth& growth,
-             const std::vector<StepMatrix<double>>& steps) {
-    const double omega = scene.fastest.omega;
-    const bool sweep = scene.several && method.new_damping && scene.fastest.zeta > 0;
-    const Reason constant = sweep ? several_dampers(scene, h, method.at_once, method.least_limit)
-                                  : constant_step(scene, h, method.limit, method.least_limit);
-    if (scene.only_pulls) {
-        const Reason taut = tether(constant, method.implicit_euler && !scene.turns);
-        const bool surely_grows = taut.verdict == Verdict::grows && !scene.varying();
-        if (taut.verdict == Verdict::stable || surely_grows || !scene.varying()) return taut;
-        return {Verdict::not_proven, taut.reason};
-    }
-    if (!scene.varying()) return constant;
-    Reason said = varying_steps(method.steps_commute, method.limit, omega * scene.shortest_frame,
-                                omega * scene.longest_frame, steps, growth);
-    // Of the slower oscillations that the fastest one may be nothing more is known.
-    if (scene.bounded() && said.verdict == Verdict::grows) said.verdict = Verdict::not_proven;
-    // One ellipse holds one oscillation.
-    if ((scene.bounded() || scene.several) && !method.steps_commute && said.verdict == Verdict::stable &&
-        std::isfinite(method.limit.value))
-        return {Verdict::not_proven, "proven for the fastest oscillation alone"};
-    return said;
-}
-
-}  // namespace
-
-Advice at_step(const MethodOnSpring& method, const SpringScene& scene, double h, double wanted) {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const DampedSpring<double>& spring = scene.fastest;
-    if (!method.takes_damping && spring.zeta > 0)
-        return {
-            method.name, Verdict::refused, "takes forces of the position only", nan, nan, nan, nan, nan, nan, nan, nan,
-            nan};
-
-    const double s = spring.omega * h, zeta = spring.zeta;
-    const auto all = method.multipliers(s);
-    const Complex lambda = all.front(), exact = exact_rate(zeta);
-    long double largest = 0;
-    for (const Complex& each : all) largest = std::max(largest, std::abs(each));
-
-    Advice advice;
-    advice.method = method.name;
-    advice.longest_step = method.limit.value / spring.omega;
-    advice.position_error = method.position_error(s);
-    advice.rate_error = rate_error(all, zeta, s);
-    long double growth_per_step = std::log(largest);
-    double mean_step = h;
-    Growth growth{0, 0};
-    std::vector<StepMatrix<double>> steps;
-    if (scene.varying()) {
-        const double shortest = spring.omega * scene.shortest_frame, longest = spring.omega * scene.longest_frame;
-        steps = steps_of(method.matrix, shortest, longest);
-        growth = method.steps_commute ? mean_growth(steps, zeta) : random_products(steps);
-        growth_per_step = growth.mean;
-        mean_step = (scene.shortest_frame + scene.longest_frame) / 2;
-        advice.position_error = random_position_error(method.matrix, method.position_error,
-                                                      DampedSpring<long double>(1, zeta), shortest, longest);
-    }
-    const Reason said = judge(method, scene, h, growth, steps);
-    advice.verdict = said.verdict;
-    advice.reason = said.reason;
-    // What a tether does when it is slack, and what is not known of the springs, is not the
-    // oscillation's affair.
-    const bool taut = scene.only_pulls && advice.verdict == Verdict::not_proven;
-    if (advice.verdict == Verdict::stable || taut) {
-        const long double most = ringing(all, zeta, s);
-        advice.ringing = static_cast<double>(most);
-        if (most < 0 && advice.verdict == Verdict::stable) {
-            const std::string why = ringing_words(all, most, zeta);
-            advice.reason = std::isfinite(method.limit.value) ? why + "; " + advice.reason : why;
-        }
-    }
-    advice.growth_per_step = static_cast<double>(std::exp(growth_per_step));
-    advice.growth_per_second = static_cast<double>(std::exp(growth_per_step / mean_step));
-    const long double energy_rate = 2 * (growth_per_step / mean_step - exact.real() * spring.omega);
-    advice.energy_ratio = static_cast<double>(std::exp(energy_rate));
-    advice.energy_drift = static_cast<double>(std::expm1(energy_rate));
-    advice.period_error =
-        exact.imag() > 0 && lambda.imag() > 0 ? static_cast<double>(exact.imag() * s / std::arg(lambda) - 1) : nan;
-    advice.cost = method.work / mean_step;
-    advice.step = h;
-    if (scene.kicks && method.two_steps) advice.reason += "; restart it after each kick, or 1 m/s becomes 1.5";
-    advice.right =
-        (advice.verdict == Verdict::stable || taut) && advice.ringing == 0 && advice.position_error <= wanted;
-    return advice;
-}
 
 Advice advise(const MethodOnSpring& method, const SpringScene& scene, double h, double wanted) {
     const DampedSpring<double>& spring = scene.fastest;
@@ -121,9 +28,9 @@ bool lingers(const Advice& advice) { return advice.energy_ratio > 4 && advice.gr
 
 std::string told_verdict(const Advice& advice) {
     if (advice.verdict != Verdict::stable) return words(advice.verdict);
-    if (advice.ringing < 0) return "stable, rings";
-    if (advice.position_error > 0.5) return "stable, far off";
-    return lingers(advice) ? "stable, lingers" : "stable";
+    if (advice.ringing < 0) return phrase("verdict.rings");
+    if (advice.position_error > 0.5) return phrase("verdict.far_off");
+    return lingers(advice) ? phrase("verdict.lingers") : words(advice.verdict);
 }
 
 std::vector<Advice> advise(SpringScene scene, double h, double wanted) {

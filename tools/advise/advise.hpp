@@ -99,25 +99,26 @@ SpringScene scene_of_zeta(const Pull& pull, double stiffness, double zeta);
 
 /// What one method makes of a spring. Numbers that mean nothing here are NaN.
 struct Advice {
-    std::string method;        ///< its name
-    Verdict verdict;           ///< will it blow up?
-    std::string reason;        ///< the formula that says so, with its numbers
-    double longest_step;       ///< the longest stable step, s; infinite where there is no limit
-    double growth_per_step;    ///< what a step multiplies the amplitude by in the long run
-    double growth_per_second;  ///< the same for a second of game time
-    double energy_ratio;       ///< the energy after a second over what it should be
-    double energy_drift;       ///< that minus one
-    double period_error;       ///< the period over the exact one, minus one
-    double position_error;     ///< the farthest from the true place in the first period, over the
-                               ///< start: see advise()
-    double rate_error;         ///< how wrong the motion's frequency and decay are: see advise()
-    double cost;               ///< force evaluations and solves in a second of game time
-    double accurate_step = 0;  ///< the end of the first stretch of right steps, s; 0: there is none
-    double accurate_cost = 0;  ///< what that costs, evaluations and solves a second; 0 if there is none
-    double ringing = 0;        ///< what a step multiplies the part by that rings, below −1/2; 0: none does
-    double accurate_from = 0;  ///< where that stretch begins, s: below roundoff is too much
-    double step = 0;           ///< the step that was asked about, s
-    bool right = false;        ///< is that one stable and as near as wanted, and nothing rings?
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    std::string method;                  ///< its name
+    Verdict verdict = Verdict::refused;  ///< will it blow up?
+    std::string reason;                  ///< the formula that says so, with its numbers
+    double longest_step = unknown;       ///< the longest stable step, s; infinite where there is no limit
+    double growth_per_step = unknown;    ///< what a step multiplies the amplitude by in the long run
+    double growth_per_second = unknown;  ///< the same for a second of game time
+    double energy_ratio = unknown;       ///< the energy after a second over what it should be
+    double energy_drift = unknown;       ///< that minus one
+    double period_error = unknown;       ///< the period over the exact one, minus one
+    double position_error =
+        unknown;                  ///< farthest from the true place in the first period, over the start: see advise()
+    double rate_error = unknown;  ///< how wrong the motion's frequency and decay are: see advise()
+    double cost = unknown;        ///< force evaluations and solves in a second of game time
+    double accurate_from = 0;     ///< where the first stretch of right steps begins, s: below roundoff is too much
+    double accurate_step = 0;     ///< where it ends, s; 0: there is none
+    double accurate_cost = 0;     ///< what that costs, evaluations and solves a second; 0 if there is none
+    double ringing = 0;           ///< what a step multiplies the part by that rings, below −1/2; 0: none does
+    double step = 0;              ///< the step that was asked about, s
+    bool right = false;           ///< is that one stable and as near as wanted, and nothing rings?
 };
 
 /// Stable, and yet it keeps four times the energy that it should, twice the amplitude, while a

@@ -10,49 +10,10 @@
 
 #include <timestep/body_solvers.hpp>
 #include <timestep/body_throw.hpp>
-#include <timestep/stability_limit.hpp>
 
 #include "which_method.hpp"
 
 namespace timestep {
-
-/// What one solver can make of a spinning body.
-struct SpinAdvice {
-    std::string method;          ///< its name
-    Verdict verdict;             ///< grows: in some direction of the spin one step raises the energy
-    std::string reason;          ///< why, with numbers
-    double worst_gain;           ///< the largest energy after a step over that before, of all directions;
-                                 ///< infinite where it has no bound: worst_spin then gains much
-    Vector3<double> worst_spin;  ///< the spin that gains it, rad/s in body coordinates
-    double longest_step;         ///< the longest step with which no direction gains, s; infinite for no limit
-    double cost;                 ///< torques and solves in a second of game time
-};
-
-/// A solver of chapter 5, its type forgotten.
-struct GyroscopicSolver {
-    const char* name;
-    /// What one step of `h` seconds can make of a body that spins with `spin` rad/s, in any direction.
-    std::function<SpinAdvice(const PrincipalInertia<double>& inertia, double spin, double h)> judge;
-    /// The energy after one step of `h` seconds over the energy before, for a body that spins with `omega`, rad/s in
-    /// body coordinates. It depends on the ratios of the moments only.
-    std::function<double(const PrincipalInertia<double>& inertia, const Vector3<double>& omega, double h)> gain;
-};
-
-/// All of them, in the order in which the course meets them.
-const std::vector<GyroscopicSolver>& gyroscopic_solvers();
-
-/// The one of this name. Throws `std::invalid_argument` where there is none.
-const GyroscopicSolver& gyroscopic_solver(std::string_view name);
-
-/// What every solver of chapter 5 makes of a body that spins with `spin` rad/s, in any direction,
-/// at steps of `h` seconds. The verdict is whether one step can raise the kinetic energy.
-///
-/// The direction that gains most is searched for. Gains of less than 1e-12 are roundoff: where a
-/// step adds energy, but no more than that, it is too close to call.
-///
-/// Throws `std::invalid_argument` where spin or step is not above zero and finite, or their
-/// product, or where spin or product is above 1e50: some of the solvers' products would overflow.
-std::vector<SpinAdvice> advise_spin(const PrincipalInertia<double>& inertia, double spin, double h);
 
 /// A step whose energy rises by so much is no roundoff.
 inline constexpr double more_than_roundoff = 1e-12;

@@ -6,6 +6,7 @@
 
 #include "advise_body.hpp"
 #include "method_on_spring.hpp"
+#include "words.hpp"
 
 namespace timestep {
 
@@ -36,129 +37,144 @@ double gain_of(const Rule& rule, const PrincipalInertia<double>& inertia, const 
            kinetic_energy(body, omega);
 }
 
+// A body that spins in any direction, and the steps.
+struct Spun {
+    const PrincipalInertia<double>& inertia;
+    double spin, h;
+    bool even;
+    double turn() const { return h * spin; }
+};
+
 template <class Rule>
-void find_worst(BodyAdvice& advice, const Rule& rule, const PrincipalInertia<double>& inertia, double spin, double h) {
+void find_worst(BodyAdvice& advice, const Rule& rule, const Spun& body) {
     const Worst worst = worst_direction([&](const Vector3<double>& direction) {
-        return gain_of(rule, inertia, Vector3<double>(h * spin * direction));  // |ω| may be any size
+        return gain_of(rule, body.inertia, Vector3<double>(body.turn() * direction));  // |ω| may be any size
     });
     advice.worst_gain = std::max(worst.gain, 1.0);
-    advice.worst_spin = spin * worst.direction;
-    if (worst.gain > 1 + more_than_roundoff) return;
+    advice.worst_spin = body.spin * worst.direction;
+    if (advice.adds != AddsEnergy::one_step_can || worst.gain > 1 + more_than_roundoff) return;
     advice.adds = AddsEnergy::too_close_to_call;
-    advice.reason += "; here less than 1e-12 of the energy, lost in roundoff";
+    advice.reason += phrase("body.roundoff");
 }
 
-// The solvers of chapter 5, from what one step of theirs can do.
-template <class Solver>
-void judge(BodyAdvice& advice, const Tumble<Solver>&, const PrincipalInertia<double>& inertia, double spin, double h,
-           bool) {
-    const SpinAdvice one = gyroscopic_solver(Solver::name).judge(inertia, spin, h);
-    advice.adds = one.verdict == Verdict::stable  ? AddsEnergy::never
-                  : one.verdict == Verdict::grows ? AddsEnergy::one_step_can
-                                                  : AddsEnergy::too_close_to_call;
-    advice.reason = one.reason;
-    advice.longest_step = one.longest_step;
-    advice.bound = advice.adds == AddsEnergy::never ? 1 : std::numeric_limits<double>::infinity();
-    if (advice.adds == AddsEnergy::never) return;
-    advice.worst_gain = one.worst_gain;
-    advice.worst_spin = one.worst_spin;
+// A solver that adds energy at every step where there is a torque.
+template <class Rule>
+void judge_adding(BodyAdvice& advice, const Rule& rule, const Spun& body, const std::string& why) {
+    advice.longest_step = 0, advice.bound = std::numeric_limits<double>::infinity();
+    advice.adds = AddsEnergy::one_step_can;
+    advice.reason = why;
+    find_worst(advice, rule, body);
 }
 
-void judge(BodyAdvice& advice, const LaggedInertiaSpin&, const PrincipalInertia<double>& inertia, double spin, double h,
-           bool even) {
-    judge(advice, Tumble<LaggedInertia>{}, inertia, spin, h, even);
-    if (advice.adds == AddsEnergy::never) return;
-    advice.bound = moment_ratio(inertia);
-    advice.reason =
-        "every step may add; |L| stays, so at most I_max/I_min = " + number(advice.bound) + " times the first";
+// A solver of which nothing is proven: it is judged by a search.
+template <class Rule>
+void judge(BodyAdvice& advice, const Rule& rule, const Spun& body) {
+    judge_adding(advice, rule, body, phrase("body.searched"));
+}
+
+void judge(BodyAdvice& advice, const Tumble<ExplicitGyroscopic>& rule, const Spun& body) {
+    if (no_torque(body.inertia)) return void(advice.reason = phrase("body.no_torque"));
+    judge_adding(advice, rule, body, phrase("body.explicit"));
+}
+
+void judge(BodyAdvice& advice, const LaggedInertiaSpin& rule, const Spun& body) {
+    if (no_torque(body.inertia)) return void(advice.reason = phrase("body.no_torque"));
+    judge_adding(advice, rule, body, "");
+    advice.bound = moment_ratio(body.inertia);
+    advice.reason = phrase("body.lagged", {{"bound", number(advice.bound)}});
+}
+
+void judge(BodyAdvice& advice, const Tumble<NoGyroscopic>&, const Spun&) { advice.reason = phrase("body.dropped"); }
+
+void judge(BodyAdvice& advice, const Tumble<ImplicitGyroscopic>& rule, const Spun& body) {
+    if (two_equal(body.inertia)) return void(advice.reason = phrase("body.newton_two_equal"));
+    const double spin = body.spin;
+    advice.longest_step = longest_safe_step(body.inertia, spin);
+    const Verdict side = verdict(body.h, advice.longest_step);
+    advice.reason = phrase(body.h < advice.longest_step ? "body.newton_below" : "body.newton_above",
+                           {{"turn", number(body.turn())}, {"limit", number(advice.longest_step * spin)}});
+    if (side == Verdict::stable) return;
+    advice.adds = side == Verdict::grows ? AddsEnergy::one_step_can : AddsEnergy::too_close_to_call;
+    advice.bound = std::numeric_limits<double>::infinity();
+    find_worst(advice, rule, body);
+    if (const double unbounded = unbounded_step(body.inertia, spin); body.h >= unbounded) {
+        advice.worst_gain = std::numeric_limits<double>::infinity();
+        advice.reason += phrase("body.newton_unbounded", {{"turn", number(unbounded * spin)}});
+    }
+}
+
+void judge(BodyAdvice& advice, const Tumble<ConvergedGyroscopic>&, const Spun&) {
+    advice.reason = phrase("body.converged");
+}
+
+void judge(BodyAdvice& advice, const Tumble<PassiveGyroscopic>&, const Spun&) {
+    advice.reason = phrase("body.passive");
 }
 
 // It keeps E/Δ with Δ = 1 − c (hω₂/2)², ω₂ that about the axis of the intermediate moment and c the
 // middle share. As Δ is at most 1, E is never more than the first one over the first Δ, while that
 // is above zero.
-void judge(BodyAdvice& advice, const Tumble<HalfStepJacobian>& rule, const PrincipalInertia<double>& inertia,
-           double spin, double h, bool even) {
-    const double share = middle_share(inertia);
-    if (share == 0) return void(advice.reason = "two equal moments: the energy stays");
-    const double root = std::sqrt(share) * (h * spin / 2), left = 1 - root * root;
-    advice.longest_step = 2 / std::sqrt(share) / spin;
+void judge(BodyAdvice& advice, const Tumble<HalfStepJacobian>& rule, const Spun& body) {
+    const double share = middle_share(body.inertia);
+    if (share == 0) return void(advice.reason = phrase("body.two_equal_energy"));
+    const double root = std::sqrt(share) * (body.turn() / 2), left = 1 - root * root;
+    advice.longest_step = 2 / std::sqrt(share) / body.spin;
     const Verdict side = verdict(root, 1);
-    const std::string formula = "E/(1 − c (hω₂/2)²) stays, c = (I₂−I₁)(I₃−I₂)/(I₁I₃) = " + number(share);
+    const std::string c = number(share), value = number(root * root);
     advice.bound = std::numeric_limits<double>::infinity();
-    if (side == Verdict::stable && even) {
+    if (side == Verdict::stable && body.even) {
         advice.adds = AddsEnergy::bounded;
         advice.bound = 1 / left;
-        advice.reason = formula + ": c (h|ω|/2)² = " + number(root * root) + " < 1; for every body h|ω| < 2 will do";
+        advice.reason = phrase("body.jacobian_bounded", {{"c", c}, {"value", value}});
         return;
     }
     advice.adds = AddsEnergy::one_step_can;
     if (side == Verdict::stable) {
         advice.longest_step = 0;
-        advice.reason =
-            "frame by frame the energy may rise × " + number(1 / left) + ": the bound is that of a constant step";
-        return find_worst(advice, rule, inertia, spin, h);
+        advice.reason = phrase("body.jacobian_uneven", {{"factor", number(1 / left)}});
+        return find_worst(advice, rule, body);
     }
-    advice.reason = formula + ": c (h|ω|/2)² = " + number(root * root) + ", and from 1 on the Jacobian can be singular";
+    advice.reason = phrase("body.jacobian_singular", {{"c", c}, {"value", value}});
     if (side != Verdict::grows) return void(advice.adds = AddsEnergy::too_close_to_call);
     advice.worst_gain = std::numeric_limits<double>::infinity();
-    advice.worst_spin = Vector3<double>::Zero();
 }
 
-void judge(BodyAdvice& advice, const Tumble<CayleyGyroscopic>&, const PrincipalInertia<double>&, double, double, bool) {
-    advice.reason = "√I ω is turned: the energy stays, whatever the step";
-}
+void judge(BodyAdvice& advice, const Tumble<CayleyGyroscopic>&, const Spun&) { advice.reason = phrase("body.cayley"); }
 
-void judge(BodyAdvice& advice, const Tumble<CalmHalfStep>&, const PrincipalInertia<double>&, double, double, bool) {
-    advice.reason = "scaled back to the energy that the step began with, whatever the step";
-}
+void judge(BodyAdvice& advice, const Tumble<CalmHalfStep>&, const Spun&) { advice.reason = phrase("body.calm"); }
 
-void by_momentum(BodyAdvice& advice, const PrincipalInertia<double>& inertia) {
-    advice.bound = moment_ratio(inertia);
+void by_momentum(BodyAdvice& advice, const Spun& body) {
+    advice.bound = moment_ratio(body.inertia);
     advice.adds = AddsEnergy::bounded;
-    advice.reason = "|L| stays and E ≤ |L|²/2I_min: at most I_max/I_min = " + number(advice.bound) + " times the first";
+    advice.reason = phrase("body.momentum", {{"bound", number(advice.bound)}});
 }
-void judge(BodyAdvice& advice, const Strang&, const PrincipalInertia<double>& inertia, double, double, bool) {
-    if (no_torque(inertia)) return void(advice.reason = "equal moments: the energy is |L|²/2I, and |L| stays");
-    by_momentum(advice, inertia);
+
+void judge(BodyAdvice& advice, const Strang&, const Spun& body) {
+    if (no_torque(body.inertia)) return void(advice.reason = phrase("body.equal_energy"));
+    by_momentum(advice, body);
 }
+
 template <class Rule>
-void judge_remainder(BodyAdvice& advice, const Rule&, const PrincipalInertia<double>& inertia) {
-    if (two_equal(inertia)) return void(advice.reason = "two equal moments: the exact motion");
-    by_momentum(advice, inertia);
-}
-void judge(BodyAdvice& advice, const BallAndRemainder2& rule, const PrincipalInertia<double>& inertia, double, double,
-           bool) {
-    judge_remainder(advice, rule, inertia);
-}
-void judge(BodyAdvice& advice, const BallAndRemainder4& rule, const PrincipalInertia<double>& inertia, double, double,
-           bool) {
-    judge_remainder(advice, rule, inertia);
+requires std::is_same_v<Rule, BallAndRemainder2> || std::is_same_v<Rule, BallAndRemainder4>
+void judge(BodyAdvice& advice, const Rule&, const Spun& body) {
+    if (two_equal(body.inertia)) return void(advice.reason = phrase("body.exact"));
+    by_momentum(advice, body);
 }
 
 // With two equal moments the other two components of ω go round with the angle
 // h·precession_ratio·ω_z a step, and chapter 3's 2√2 is the limit.
-void judge(BodyAdvice& advice, const RungeKuttaSpin& rule, const PrincipalInertia<double>& inertia, double spin,
-           double h, bool) {
-    if (no_torque(inertia)) return void(advice.reason = "equal moments: no gyroscopic torque");
-    const double limit = 2 * std::sqrt(2.0);
+void judge(BodyAdvice& advice, const RungeKuttaSpin& rule, const Spun& body) {
+    if (no_torque(body.inertia)) return void(advice.reason = phrase("body.no_torque"));
+    if (!two_equal(body.inertia)) return judge_adding(advice, rule, body, phrase("body.runge_kutta"));
+    const double wobble = body.inertia.ratio.cwiseAbs().maxCoeff(), limit = 2 * std::sqrt(2.0);
+    advice.longest_step = limit / wobble / body.spin;
+    const Verdict side = verdict(body.turn() * wobble, limit);
+    advice.reason = phrase(side == Verdict::grows ? "body.wobble_above" : "body.wobble_below",
+                           {{"value", number(body.turn() * wobble)}});
+    if (side == Verdict::stable) return;
     advice.bound = std::numeric_limits<double>::infinity();
-    if (two_equal(inertia)) {
-        const double wobble = inertia.ratio.cwiseAbs().maxCoeff();
-        advice.longest_step = limit / wobble / spin;
-        const Verdict side = verdict(h * spin * wobble, limit);
-        advice.reason = "two equal moments: h|ω| |I_along − I_across|/I_across = " + number(h * spin * wobble) +
-                        (side == Verdict::grows ? " > 2√2" : " < 2√2");
-        if (side == Verdict::stable) return void(advice.bound = 1);
-        advice.adds = side == Verdict::grows ? AddsEnergy::one_step_can : AddsEnergy::too_close_to_call;
-        if (side != Verdict::grows) return;
-    } else {
-        advice.adds = AddsEnergy::one_step_can;
-        advice.longest_step = 0;
-        advice.reason =
-            "keeps nothing: a step changes the energy by a share that goes with (h|ω|)⁵, up or "
-            "down";
-    }
-    find_worst(advice, rule, inertia, spin, h);
+    advice.adds = side == Verdict::grows ? AddsEnergy::one_step_can : AddsEnergy::too_close_to_call;
+    if (side == Verdict::grows) find_worst(advice, rule, body);
 }
 
 void check_spin(double spin, double h) {
@@ -185,11 +201,10 @@ bool passes_for_symmetric(const PrincipalInertia<double>& inertia, const Vector3
                           bool contacts, bool callback) {
     if (!closest_moments(inertia).all_but_equal() || contacts != callback) return false;
     const double turn = frames.longest() * omega.stableNorm();
-    const GyroscopicSolver& newton_step = gyroscopic_solver(ImplicitGyroscopic::name);
-    if (callback)
-        return turn < unbounded_step(inertia, 1) &&
-               worst_direction([&](const Vector3<double>& way) { return newton_step.gain(inertia, way, turn); }, 1.001)
-                       .gain <= 1.001;
+    const auto gain = [&](const Vector3<double>& way) {
+        return gain_of(tumble<ImplicitGyroscopic>, inertia, Vector3<double>(turn * way));
+    };
+    if (callback) return turn < unbounded_step(inertia, 1) && worst_direction(gain, 1.001).gain <= 1.001;
     return body_solver(BallAndRemainder2::name)
                .throw_body(inertia, as_thrown(omega), frames, 2, most_thrown_steps)
                .off <= right_orientation;
@@ -206,7 +221,7 @@ const std::vector<BodySolver>& body_solvers() {
             solver.judge = [=](const auto& inertia, double spin, double h, bool even) {
                 BodyAdvice advice;
                 advice.method = Rule::name, advice.price = price;
-                judge(advice, rule, inertia, spin, h, even);
+                judge(advice, rule, Spun{inertia, spin, h, even});
                 return advice;
             };
             solver.throw_body = [=](const auto& inertia, const auto& omega, const Frames& frames, double seconds,

@@ -188,6 +188,7 @@ MethodOnSpring judged(const Method& method, double zeta, double least_zeta, bool
                 const double let_go = position_error(method, zeta, s);
                 return thrown ? std::fmax(let_go, velocity_error(method, zeta, s)) : let_go;
             },
+            [=](long double s) { return velocity_error(method, zeta, s); },
             [=](long double s) { return matrix_of(when_step_changes(method), zeta, s); }};
 }
 
@@ -245,22 +246,18 @@ long double ringing(const std::vector<Complex>& all, long double zeta, long doub
     return most;
 }
 
-// Where it rings, in words. Of two decays with multipliers of different signs the fast one is below
-// zero.
-std::string ringing_words(const std::vector<Complex>& all, long double most, double zeta) {
-    const bool one = std::any_of(all.begin(), all.end(), [](const Complex& z) { return z.real() >= 0; });
-    const std::string by = number(static_cast<double>(-most), 3);
-    return std::string("stable, but rings: a step multiplies ") +
-           (zeta < 1 ? "the motion"
-            : one    ? "the fast part"
-                     : "what should decay") +
-           " by " + (by == "1" ? "nearly −1" : "−" + by);
-}
-
 bool thrown_counts(double zeta, double s) {
     const long double exact_zeta = static_cast<long double>(zeta), exact_s = static_cast<long double>(s);
     if (zeta <= hidden_decay || roundoff(exact_zeta, exact_s) >= 1) return false;
     return exact_s / std::abs(exact_rate(exact_zeta)) <= 2 * 3.14159265358979323846L / 3;  // 1/p is q, as ω is 1
+}
+
+double last_good(const std::function<bool(double)>& good, double low, double high) {
+    for (int i = 0; i < 40; ++i) {
+        const double middle = low + (high - low) / 2;
+        (good(middle) ? low : high) = middle;
+    }
+    return low;
 }
 
 // The error first rises from zero, but it need not go on rising: at longer steps errors of
@@ -304,11 +301,7 @@ StepRange first_right(const MethodOnSpring& method, double zeta, double wanted) 
         high = low;
         while (good(high)) low = high, high *= 1.05;
     }
-    for (int i = 0; i < 40; ++i) {
-        const double middle = low + (high - low) / 2;
-        (good(middle) ? low : high) = middle;
-    }
-    return {from, low};
+    return {from, last_good(good, low, high)};
 }
 
 }  // namespace timestep

@@ -29,7 +29,8 @@ struct MethodOnSpring {
     StabilityLimit at_once;  // the first of them where all dampers are solved for at once
     std::function<std::vector<Complex>(long double s)> multipliers;
     std::function<double(long double s)> position_error;
-    MatrixOf matrix;  // of a step that is not like the one before
+    std::function<double(long double s)> velocity_error;  // after a throw, until the fast decay is over
+    MatrixOf matrix;                                      // of a step that is not like the one before
 };
 
 /// Every method, in the order of spring_methods, for the damping ratios of the fastest oscillation and of the slowest
@@ -66,9 +67,6 @@ double rate_error(const std::vector<Complex>& all, long double zeta, long double
 /// The most negative multiplier that rings; 0 where none does.
 long double ringing(const std::vector<Complex>& all, long double zeta, long double s);
 
-/// Where it rings, in words.
-std::string ringing_words(const std::vector<Complex>& all, long double most, double zeta);
-
 /// Steps s = ωh, from the shortest to the longest; zeros where there is none.
 struct StepRange {
     double from = 0, to = 0;
@@ -83,9 +81,32 @@ Advice advise(const MethodOnSpring& method, const SpringScene& scene, double h, 
 /// The same without the range of right steps.
 Advice at_step(const MethodOnSpring& method, const SpringScene& scene, double h, double wanted);
 
+/// The advice on a method that does not step a damper.
+Advice refused(const MethodOnSpring& method);
+
+/// What a motion becomes in a second if a step of `h` adds `growth` to the logarithm of its size, and the truth adds
+/// `rate` a second: fills that into `advice`.
+void tell_growth(Advice& advice, long double growth, double h, long double rate);
+
+/// Why `value` is stable or not beside its limit; `quantity` is its name.
+std::string limit_reason(const std::string& quantity, double value, const StabilityLimit& limit);
+
+/// Where from `low`, which is good, to `high` it ceases to be: by bisection.
+double last_good(const std::function<bool(double)>& good, double low, double high);
+
 /// So many steps of `longest` or less fit into `step`; 0: more than most_substeps.
 long pieces(double step, double longest);
 inline constexpr long most_substeps = 1'000'000;
+
+/// The fewest substeps with which a method is right, and what they cost a second; 0 where none is.
+struct Right {
+    std::size_t place;
+    long substeps = 0;
+    double cost = std::numeric_limits<double>::infinity();
+};
+
+/// That of `all[place]`, in whole substeps of `h`, at least `least` of them; 0: none are enough.
+Right right_steps(const std::vector<Advice>& all, std::size_t place, double h, long least = 1);
 
 /// Calls `visit(method)` for every method.
 template <class Visit>

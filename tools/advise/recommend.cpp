@@ -7,6 +7,7 @@
 #include <timestep/refuse.hpp>
 
 #include "method_on_spring.hpp"
+#include "words.hpp"
 
 namespace timestep {
 
@@ -15,13 +16,18 @@ long pieces(double step, double longest) {
     return n <= double(most_substeps) ? std::max(1L, static_cast<long>(n)) : 0;
 }
 
+Right right_steps(const std::vector<Advice>& all, std::size_t place, double h, long least) {
+    const double step = best_step(all[place], h);
+    const long n = step > 0 ? pieces(h, step) : 0;
+    if (n == 0 || least == 0) return {place};
+    return {place, std::max(n, least), all[place].cost * double(std::max(n, least))};
+}
+
 namespace {
 
 // In frames of uneven length so many substeps of an explicit method are worth it where nothing but
 // stability is asked.
 constexpr long few_substeps = 8;
-
-const std::string constant_or = "a constant step, by chapter 2's game loop; where that cannot be, ";
 
 // The question, and what every method makes of it; both lists in the order of spring_methods.
 struct Asked {
@@ -53,21 +59,8 @@ long for_a_tether(const Advice& advice, const SpringScene& scene, double h) {
     return may_gain ? pieces(scene.fastest.omega * h, tether_turn) : 1;
 }
 
-// The fewest substeps with which a method is right, and what they cost a second; 0 where none is.
-struct Right {
-    std::size_t place;
-    long substeps = 0;
-    double cost = std::numeric_limits<double>::infinity();
-};
-Right right_steps(const Asked& asked, std::size_t place) {
-    const Advice& advice = asked.all[place];
-    const double step = best_step(advice, asked.h);
-    const long n = step > 0 ? pieces(asked.h, step) : 0, tether = for_a_tether(advice, asked.scene, asked.h);
-    if (n == 0 || tether == 0) return {place};
-    return {place, std::max(n, tether), advice.cost * double(std::max(n, tether))};
-}
-// The same for frames of uneven length. A limit for one step after the other is only that of methods whose steps
-// commute, and BDF2 would begin anew with every frame.
+// As right_steps(), for frames of uneven length. A limit for one step after the other is only that of methods whose
+// steps commute, and BDF2 would begin anew with every frame.
 Right right_frames(const Asked& asked, std::size_t place) {
     const MethodOnSpring& method = asked.methods[place];
     const SpringScene& scene = asked.scene;
@@ -92,7 +85,9 @@ Recommendation recommend_for_accuracy(const Asked& asked) {
     const SpringScene& scene = asked.scene;
     std::vector<Right> found;
     for (std::size_t place = 0; place < asked.all.size(); ++place)
-        found.push_back(scene.varying() ? right_frames(asked, place) : right_steps(asked, place));
+        found.push_back(scene.varying()
+                            ? right_frames(asked, place)
+                            : right_steps(asked.all, place, asked.h, for_a_tether(asked.all[place], scene, asked.h)));
     // The cheapest where the last step need not be whole: of equally cheap ones it is the answer.
     const Advice* listed = scene.varying() || scene.only_pulls ? nullptr : cheapest(asked.all, asked.h);
     const std::size_t of_choice = place_of_choice(asked.choice);
@@ -104,27 +99,25 @@ Recommendation recommend_for_accuracy(const Asked& asked) {
     }
     if (!best) return asked.take(of_choice, 0, asked.choice.take, asked.choice.why);
     if (of_list && of_list->cost <= best->cost * (1 + 1e-9)) best = of_list;
-    std::string words = "**" + asked.all[best->place].method + "**",
-                why = "as accurate as you asked, at the least cost in whole substeps";
+    std::string words = "**" + asked.all[best->place].method + "**", why = phrase("recommend.accurate");
     if (of_list && of_list != best)
-        why += "; " + listed->method + " would need " + std::to_string(of_list->substeps) +
-               (of_list->substeps == 1 ? " substep" : " substeps");
-    if (scene.varying()) words = constant_or + words;
-    if (scene.only_pulls && best->place != place_of<ImplicitEuler>)
-        why = "as accurate as you asked while it is taut; nothing proves that it never gains when it goes taut";
+        why += phrase(of_list->substeps == 1 ? "recommend.other_one" : "recommend.other_many",
+                      {{"method", listed->method}, {"count", std::to_string(of_list->substeps)}});
+    if (scene.varying()) words = phrase("recommend.constant_or", {{"method", words}});
+    if (scene.only_pulls && best->place != place_of<ImplicitEuler>) why = phrase("recommend.accurate_while_taut");
     return asked.take(best->place, best->substeps, words, why);
 }
 
 // Frames of uneven length, and no accuracy asked.
 Recommendation recommend_for_frames(const Asked& asked) {
     const auto taken = [&](const auto& method, long n, const std::string& why) {
-        return asked.take(method, n, constant_or + "**" + method.name + "**", why);
+        const std::string name = std::string("**") + method.name + "**";
+        return asked.take(method, n, phrase("recommend.constant_or", {{"method", name}}), why);
     };
     const auto holds = [](const Advice& each) { return each.verdict == Verdict::stable && each.ringing == 0; };
-    const std::string falls = "in no step does the energy rise, however frames follow each other";
+    const std::string falls = phrase("recommend.frames_fall");
     if (asked.goal.keeps_size && holds(advice_on(asked.all, implicit_midpoint)))
-        return taken(implicit_midpoint, 1,
-                     "however frames follow each other, an oscillation keeps its size but for what the damper takes");
+        return taken(implicit_midpoint, 1, phrase("recommend.frames_keep_size"));
     if (!asked.goal.keeps_size && advice_on(asked.all, implicit_euler).right) return taken(implicit_euler, 1, falls);
     const long least = pieces(asked.turn(), alive_turn);
     const auto substeps = [&](std::size_t place) {  // as few as hold; 0: too many
@@ -134,9 +127,7 @@ Recommendation recommend_for_frames(const Asked& asked) {
     };
     const long euler = substeps(place_of<SemiImplicitEulerNewDamping>), kutta = substeps(place_of<RungeKutta4>);
     if (euler && (!kutta || euler <= 2 * kutta))  // a step costs half as much
-        return taken(semi_implicit_euler_new_damping, euler,
-                     "with this much damping, taken at the new velocity, the motion stays inside one ellipse, however "
-                     "frames follow each other");
+        return taken(semi_implicit_euler_new_damping, euler, phrase("recommend.frames_ellipse"));
     if (kutta) return taken(runge_kutta_4, kutta, asked.choice.why);
     return taken(implicit_euler, 1, falls);
 }
@@ -146,17 +137,12 @@ Recommendation recommend_for_tether(const Asked& asked) {
     const bool keeps_size = asked.goal.keeps_size;
     const long n = pieces(asked.turn(), tether_turn);
     if (keeps_size && !asked.scene.varying() && n)
-        return asked.take(semi_implicit_euler_new_damping, n,
-                          "**semi-implicit Euler**, with the damping at the new velocity",
-                          "with ωh at most " + number(tether_turn) +
-                              " none of 400 undamped throws got above 1.25 times its energy in 100,000 steps, though "
-                              "nothing proves that none does");
-    if (asked.scene.turns)
-        return asked.take(implicit_euler, 1, "**implicit Euler**",
-                          "a step may raise the energy where the tether turns a body, and nothing proves how far");
-    return asked.take(implicit_euler, 1, "**implicit Euler**",
-                      std::string("in no step does its energy rise, slack or taut") +
-                          (keeps_size ? "; nothing that bounces on is known to be safe here" : ""));
+        return asked.take(semi_implicit_euler_new_damping, n, phrase("recommend.new_damping"),
+                          phrase("recommend.tether_seen", {{"limit", number(tether_turn)}}));
+    return asked.take(implicit_euler, 1, phrase("recommend.implicit"),
+                      phrase(asked.scene.turns ? "recommend.tether_turns"
+                             : keeps_size      ? "recommend.tether_falls_no_bounce"
+                                               : "recommend.tether_falls"));
 }
 
 // A constant step, and no accuracy asked: as many substeps as make it stable and still.
@@ -202,25 +188,18 @@ Recommendation recommend(SpringScene scene, double h, const Goal& goal, const st
                           : scene.varying()  ? recommend_for_frames(asked)
                                              : recommend_for_constant_step(asked);
     const bool sweeps = scene.several && zeta > 0 && made.place == place_of<SemiImplicitEulerNewDamping>;
-    if (choice.name == "net") made.take = "**semi-implicit Euler**";
+    if (choice.name == "net") made.take = phrase("recommend.semi_implicit");
     if (choice.name == "swing" && !scene.several && !goal.precise)
-        made.why = std::string("one force and one division per step; ") +
-                   (zeta > 0 ? "with ωh below 2 its damper does not make it blow up while it keeps its direction"
-                             : "the energy of a linear spring oscillates, but does not drift. With other forces it may "
-                               "drift: see chapter 6");
-    if (sweeps && goal.precise) made.take += ", all dampers solved for at once";
+        made.why = phrase(zeta > 0 ? "recommend.damped_swing" : "recommend.undamped_swing");
+    if (sweeps && goal.precise) made.take += phrase("recommend.at_once");
     if (sweeps && !goal.precise && !scene.varying()) {
         made.swept = true;
-        made.take = "**semi-implicit Euler**, the dampers swept there and back, dividing by a square root each way";
-        made.why =
-            "with ωh below 2 that does not blow up while the springs keep their directions; where they turn, hard "
-            "dampers add energy: shorten the step until hc/m, added up over the dampers at a mass, is at most 1. A "
-            "step costs one force per spring and two divisions per damper";
+        made.take = phrase("recommend.swept"), made.why = phrase("recommend.swept_why");
     }
     if (choice.name == "net" && (made.substeps == 0 || made.substeps > net_substeps)) {
-        const std::string many = made.substeps ? std::to_string(made.substeps) : "more than a million";
-        made = asked.take(implicit_euler, 1, "**implicit Euler**, and factorise",
-                          "semi-implicit Euler would want " + many + " substeps");
+        const std::string many = made.substeps ? std::to_string(made.substeps) : phrase("recommend.a_million");
+        made = asked.take(implicit_euler, 1, phrase("recommend.factorise"),
+                          phrase("recommend.factorise_why", {{"count", many}}));
     }
     const auto at_its_substeps = [&] {
         return made.substeps == 0 ? Advice{} : asked.in_substeps(made.place, made.substeps, goal.accuracy);

@@ -3,18 +3,87 @@
 #include "report.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 
 #include <timestep/checks.hpp>
 
+#include "words.hpp"
+
 namespace timestep {
 
-double step_of(const Question& question) {
+std::string rounded_to(double value, const char* format) {
+    if (std::isnan(value)) return "-";
+    if (std::isinf(value)) return phrase("number.infinite");
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    const double rounded = std::strtod(text, nullptr);
+    const bool large = std::abs(rounded) >= 10 && std::abs(rounded) < 1e6;
+    if (large && std::strchr(text, 'e')) std::snprintf(text, sizeof text, "%.0f", rounded);
+    return text;
+}
+
+std::string often(double value) { return rounded_to(value, value >= 99.95 && value < 999999.5 ? "%.0f" : "%.3g"); }
+
+std::string more(double fraction) {
+    if (fraction >= 9) return "× " + rounded_to(fraction + 1, fraction < 1e6 ? "%.0f" : "%.3g");
+    return rounded_to(100 * fraction, std::abs(fraction) < 0.995 ? "%+.2g" : "%+.0f") + " %";
+}
+
+std::string factor(double value, const char* format) {
+    if (std::isnan(value)) return "-";
+    if (std::isinf(value)) return phrase("number.over");
+    return value < 1e-308 ? phrase("number.under") : "× " + rounded_to(value, format);
+}
+
+std::string off(double error) {
+    if (std::isnan(error)) return "-";
+    if (error > 1e6) return phrase("number.all_lost");
+    return error >= 9.95 ? "× " + rounded_to(error, "%.2g") : rounded_to(100 * error, "%.2g") + " %";
+}
+
+std::string row(std::initializer_list<std::pair<std::string, std::size_t>> cells, const std::string& last) {
+    std::string line;
+    for (const auto& [text, width] : cells) {
+        const auto characters = std::size_t(std::count_if(
+            text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+        line += text + std::string(std::max(width, characters) - characters, ' ');
+    }
+    return line + last + "\n";
+}
+
+std::string without_marks(const std::string& text) {
+    std::string plain;
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if (text.compare(i, 2, "**") == 0)
+            ++i;
+        else if (text[i] != '`')
+            plain += text[i];
+    return plain;
+}
+
+std::string chapter(const Choice& choice) {
+    return phrase("report.chapter", {{"number", choice.where.substr(choice.where.find('_') - 1, 1)}});
+}
+
+void refuse_two_steps(const Question& question) {
+    if (!question.frames.empty() && (question.step || question.rate))
+        refuse_use("--frames and --step or --rate say the same: give one of them");
     if (question.step && question.rate) refuse_use("--step and --rate say the same: give one of them");
-    if (question.step) return positive("step", *question.step);
-    return 1 / positive("rate", question.rate.value_or(60));
+}
+
+Step step_of(const Question& question) {
+    refuse_two_steps(question);
+    if (!question.frames.empty()) {
+        const double shortest = positive("shortest frame", question.frames.front());
+        const double longest = positive("longest frame", question.frames.back());
+        if (!(longest > shortest)) refuse("longest frame", longest, "longer than the shortest");
+        return {longest, shortest, true, phrase("report.with_frames"), false};
+    }
+    if (question.step) return {positive("step", *question.step), 0, false, phrase("report.at_step"), true};
+    const double h = 1 / positive("rate", question.rate.value_or(60));
+    return {h, 0, false, phrase(question.rate ? "report.at_rate" : "report.at_60_hz"), question.rate.has_value()};
 }
 
 double accuracy_of(const Question& question) {
@@ -23,34 +92,18 @@ double accuracy_of(const Question& question) {
     return accuracy;
 }
 
-namespace {
-
-void refuse_what_a_body_has(const Question& question) {
-    if (question.contacts || question.callback || question.count)
-        refuse_use("--contacts, --callback and --count belong to a spinning body");
-}
-
-void refuse_what_springs_have(const Question& q) {
-    if (q.kind != "spring" || q.springs || q.arm || q.turning || q.other_mass || q.other_arm || q.other_turning ||
-        q.kicks || q.keep_size)
-        refuse_use(
-            "a spring or a spinning body: --kind, --springs, --arm, --turning, --other-…, --kicks and --keep-size are "
-            "a spring's");
-}
-
-}  // namespace
-
-std::vector<Told> answer(const Question& question, bool json) {
-    const bool body = !question.inertia.empty() || !question.spin.empty();
-    if (body)
-        refuse_what_springs_have(question);
-    else
-        refuse_what_a_body_has(question);
-    if (body) return answer_body(question, json);
-    if (question.damping && !question.stiffness && !question.omega && !question.zeta)
-        return answer_damper(question, json);
-    if (question.omega || question.stiffness || question.mass || question.kind != "spring")
-        return answer_spring(question, json);
+std::vector<Told> answer(const Question& q, bool json) {
+    if (!q.inertia.empty() || !q.spin.empty()) {
+        if (q.kind != "spring" || q.springs || q.arm || q.turning || q.other_mass || q.other_arm || q.other_turning ||
+            q.kicks || q.keep_size)
+            refuse_use(
+                "a spring or a spinning body: --kind, --springs, --arm, --turning, --other-…, --kicks and --keep-size "
+                "are a spring's");
+        return answer_body(q, json);
+    }
+    if (q.contacts || q.callback || q.count) refuse_use("--contacts, --callback and --count belong to a spinning body");
+    if (q.damping && !q.stiffness && !q.omega && !q.zeta) return answer_damper(q, json);
+    if (q.omega || q.stiffness || q.mass || q.kind != "spring") return answer_spring(q, json);
     refuse_use(
         "a spring (--omega, or --stiffness with --mass), a damper alone (--damping with --mass) or a spinning body "
         "(--inertia with --spin) is needed");
@@ -79,17 +132,17 @@ Json as_json(const Advice& advice) {
 
 // Up to which step it is stable: nothing to say where that is every step, or where there is none to take.
 std::string up_to(double longest_step) {
-    if (longest_step == 0) return ": no step is short enough";
-    return std::isfinite(longest_step) ? ", h < " + rounded_to(longest_step) + " s" : "";
+    if (longest_step == 0) return phrase("report.no_step");
+    return std::isfinite(longest_step) ? phrase("report.up_to", {{"step", rounded_to(longest_step)}}) : "";
 }
 
-void print_slow_death(Report& report, const std::vector<Advice>& all) {
-    std::string slow;
-    for (const auto& advice : all)
-        if (advice.verdict == Verdict::stable && lingers(advice))
-            slow += "  " + padded(advice.method, 34) + factor(advice.energy_ratio, "%.2g") + "\n";
-    if (!slow.empty())
-        report.print("\nStable, and yet it may die too slowly. Energy that should be gone:\n%s", slow.c_str());
+// The names of those that fit, one after the other.
+template <class Fits>
+std::string names(const std::vector<Advice>& all, const Fits& fits) {
+    std::string text;
+    for (const Advice& advice : all)
+        if (fits(advice)) text += (text.empty() ? "" : "; ") + advice.method;
+    return text;
 }
 
 }  // namespace
@@ -109,105 +162,74 @@ Json as_json(const Recommendation& answer, const std::vector<Advice>& all) {
               {"rate_error_percent", answer.swept ? Json(nullptr) : finite(100 * answer.rate_error)}}}};
 }
 
-void Report::print(const char* format, ...) {
-    std::va_list values, again;
-    va_start(values, format);
-    va_copy(again, values);
-    std::string text(static_cast<std::size_t>(std::vsnprintf(nullptr, 0, format, values)), '\0');
-    va_end(values);
-    std::vsnprintf(text.data(), text.size() + 1, format, again);
-    va_end(again);
-    told.push_back({text, false});
-}
-
-std::string padded(const std::string& text, std::size_t width) {
-    const auto taken = std::size_t(
-        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
-    return taken < width ? text + std::string(width - taken, ' ') : text;
-}
-
-std::string without_marks(const std::string& text) {
-    std::string plain;
-    for (std::size_t i = 0; i < text.size(); ++i)
-        if (text.compare(i, 2, "**") == 0)
-            ++i;
-        else if (text[i] != '`')
-            plain += text[i];
-    return plain;
-}
-
-std::string chapter(const Choice& choice) { return "chapter " + choice.where.substr(choice.where.find('_') - 1, 1); }
-
-std::string off(double error) {
-    if (std::isnan(error)) return "-";
-    if (error > 1e6) return "all lost";
-    return error >= 9.95 ? "× " + rounded_to(error, "%.2g") : rounded_to(100 * error, "%.2g") + " %";
-}
-
 void print_table(Report& report, const std::vector<Advice>& all) {
-    report.print("%s%s%s%s%s%s\n", padded("method", 33).c_str(), padded("verdict", 18).c_str(),
-                 padded("off by", 11).c_str(), padded("amplitude/s", 15).c_str(), padded("energy/s", 15).c_str(),
-                 "cost/s");
+    const auto line = [&](const std::string& method, const std::string& verdict, const std::string& error,
+                          const std::string& amplitude, const std::string& energy, const std::string& cost) {
+        report.print(row({{method, 33}, {verdict, 18}, {error, 11}, {amplitude, 15}, {energy, 15}}, cost));
+    };
+    line(phrase("table.method"), phrase("table.verdict"), phrase("table.off_by"), phrase("table.amplitude"),
+         phrase("table.energy"), phrase("table.cost"));
+    std::string slow;
+    for (const auto& advice : all) {
+        line(advice.method, told_verdict(advice), off(advice.position_error), factor(advice.growth_per_second),
+             factor(advice.energy_ratio, "%.2g"), often(advice.cost));
+        if (advice.verdict == Verdict::stable && lingers(advice))
+            slow += "  " + row({{advice.method, 34}}, factor(advice.energy_ratio, "%.2g"));
+    }
+    if (!slow.empty()) report.print("\n" + phrase("report.slow") + "\n" + slow);
+    report.print("\n" + phrase("report.why") + "\n");
     for (const auto& advice : all)
-        report.print("%s%s%s%s%s%s\n", padded(advice.method, 33).c_str(), padded(told_verdict(advice), 18).c_str(),
-                     padded(off(advice.position_error), 11).c_str(),
-                     padded(factor(advice.growth_per_second), 15).c_str(),
-                     padded(factor(advice.energy_ratio, "%.2g"), 15).c_str(), often(advice.cost).c_str());
-    print_slow_death(report, all);
-    report.print("\nWhy, and up to which step:\n");
-    for (const auto& advice : all)
-        report.print("  %s%s%s\n", padded(advice.method, 34).c_str(), advice.reason.c_str(),
-                     up_to(advice.longest_step).c_str());
+        report.print("  " + row({{advice.method, 34}}, advice.reason + up_to(advice.longest_step)));
     report.print("\n");
 }
 
-void print_right(Report& report, const std::vector<Advice>& all, const Step& asked, double accuracy, bool varying) {
+void print_right(Report& report, const std::vector<Advice>& all, const Step& asked, double accuracy, bool longer) {
     const std::string percent = rounded_to(accuracy) + " %";
-    std::string right;
-    for (const auto& advice : all)
-        if (advice.right) right += (right.empty() ? "" : "; ") + advice.method;
-    report.paragraph(asked.name + ", within " + percent + ": " + (right.empty() ? "none" : right) + ".");
-    if (varying) return;  // of a longest right step nothing can be said
+    const std::string right = names(all, [](const Advice& each) { return each.right; });
+    report.paragraph(phrase(
+        "report.right",
+        {{"at", asked.name}, {"accuracy", percent}, {"methods", right.empty() ? phrase("report.none") : right}}));
+    if (!longer) return;
     const Advice* best = cheapest(all, asked.h);
     if (!best) {
         const bool never = cheapest(all) == nullptr;
-        report.print("No method is right to %s at %s.\n", percent.c_str(),
-                     never         ? "any step"
-                     : asked.given ? "steps no longer than yours"
-                                   : "steps of 1/60 s or less");
+        report.print(phrase(never         ? "report.never_right"
+                            : asked.given ? "report.none_right"
+                                          : "report.none_right_at_60_hz",
+                            {{"accuracy", percent}}) +
+                     "\n");
         return;
     }
     const double step = best_step(*best, asked.h), cost = best_cost(*best, asked.h);
     report.print(
-        "To be right to %s at steps no longer than %s, the cheapest is %s:\n"
-        "steps of %s s, %s per second, cost %s per second.\n",
-        percent.c_str(), asked.given ? "yours" : "1/60 s", ("**" + best->method + "**").c_str(),
-        rounded_to(step).c_str(), often(1 / step).c_str(), often(cost).c_str());
-    std::string alike;
-    for (const auto& advice : all)
-        if (&advice != best && std::abs(best_cost(advice, asked.h) / cost - 1) < 1e-9)
-            alike += (alike.empty() ? "" : "; ") + advice.method;
-    if (!alike.empty()) report.paragraph("Equally cheap: " + alike + ".");
+        phrase(asked.given ? "report.cheapest" : "report.cheapest_at_60_hz",
+               {{"accuracy", percent}, {"method", "**" + best->method + "**"}}) +
+        "\n" +
+        phrase("report.cheapest_step", {{"step", rounded_to(step)}, {"rate", often(1 / step)}, {"cost", often(cost)}}) +
+        "\n");
+    const std::string alike = names(
+        all, [&](const Advice& each) { return &each != best && std::abs(best_cost(each, asked.h) / cost - 1) < 1e-9; });
+    if (!alike.empty()) report.paragraph(phrase("report.alike", {{"methods", alike}}));
 }
 
-void print_recommended(Report& report, const Recommendation& answer, const Step& asked, bool varying,
-                       const std::string& where) {
-    std::string words = "Recommended";
-    if (!varying) words += " at " + (asked.given ? "your step" : std::string("1/60 s"));
-    words += ": " + answer.take;
-    if (answer.substeps > 1) words += ", in " + rounded_to(double(answer.substeps)) + " substeps";
-    if (answer.substeps == 0) words += ", though even a million substeps are not enough";
-    words += "; " + answer.why + " (" + chapter(*answer.choice) + ").";
+void print_recommended(Report& report, const Recommendation& answer, const Step& asked, const std::string& where,
+                       const std::string& rate) {
+    const std::string substeps = answer.substeps == 0 ? phrase("report.not_enough")
+                                 : answer.substeps > 1
+                                     ? phrase("report.in_substeps", {{"count", rounded_to(double(answer.substeps))}})
+                                     : "";
+    std::string text =
+        phrase(asked.varying ? "report.recommended"
+               : asked.given ? "report.recommended_at_step"
+                             : "report.recommended_at_60_hz",
+               {{"take", answer.take + substeps}, {"why", answer.why}, {"chapter", chapter(*answer.choice)}});
     if (!std::isnan(answer.position_error)) {
-        words += (answer.swept ? " With all dampers solved for at once: off by " : " Off by ") +
-                 off(answer.position_error) + " " + where;
-        words += varying || std::isnan(answer.rate_error)
-                     ? "."
-                     : std::string(where == "in the velocity" ? ", in the rate of decay by "
-                                                              : ", in frequency and decay by ") +
-                           off(answer.rate_error) + ".";
+        text += " " + phrase(answer.swept ? "report.off_at_once" : "report.off",
+                             {{"error", off(answer.position_error)}, {"where", where}});
+        if (!asked.varying && !std::isnan(answer.rate_error)) text += phrase(rate, {{"error", off(answer.rate_error)}});
+        text += ".";
     }
-    report.paragraph(words);
+    report.paragraph(text);
 }
 
 }  // namespace timestep

@@ -7,6 +7,7 @@
 
 #include "advise_body.hpp"
 #include "report.hpp"
+#include "words.hpp"
 
 namespace timestep {
 
@@ -30,10 +31,10 @@ struct Answer {
 
 Frames frames_of(const Question& question) {
     if (question.frames.empty()) {
-        const double h = step_of(question);
+        const double h = step_of(question).h;
         return {h, h};
     }
-    if (question.step || question.rate) refuse_use("--frames and --step or --rate say the same: give one of them");
+    refuse_two_steps(question);
     return {question.frames[0], question.frames[1]};
 }
 
@@ -142,35 +143,33 @@ Json as_json(const Answer& answer) {
 }
 
 std::string verdict_in_words(const BodyAdvice& advice) {
-    if (advice.adds == AddsEnergy::bounded) return "at most " + factor(advice.bound);
+    if (advice.adds == AddsEnergy::bounded) return phrase("throw.bounded", {{"factor", factor(advice.bound)}});
     if (advice.adds != AddsEnergy::one_step_can) return words(advice.adds);
-    return std::string("one step can: ") + (std::isinf(advice.worst_gain) ? "no bound" : more(advice.worst_gain - 1));
+    return phrase("throw.one_step_can",
+                  {{"gain", std::isinf(advice.worst_gain) ? phrase("throw.no_bound") : more(advice.worst_gain - 1)}});
 }
 
 std::string longest_in_words(double step) {
-    if (step == 0) return "every step can";
-    return std::isfinite(step) ? rounded_to(step) + " s" : "no limit";
+    if (step == 0) return phrase("throw.every_step");
+    return std::isfinite(step) ? rounded_to(step) + " s" : phrase("throw.no_limit");
 }
 
 std::string price_in_words(const BodyPrice& price) {
-    if (!price.told) return "as it takes";
-    std::string words;
-    const auto add = [&](int count, const char* what) {
+    if (!price.told) return phrase("throw.price_varies");
+    std::string all;
+    const auto add = [&](int count, const char* one, const char* many) {
         if (count == 0) return;
-        words += (words.empty() ? "" : ", ") + std::to_string(count) + " " + what + (count > 1 ? "s" : "");
+        all += (all.empty() ? "" : ", ") + phrase(count > 1 ? many : one, {{"count", std::to_string(count)}});
     };
-    add(price.torques, "torque"), add(price.solves, "solve"), add(price.turns, "turn");
-    return words.empty() ? "nothing" : words;
+    add(price.torques, "throw.torque", "throw.torques"), add(price.solves, "throw.solve", "throw.solves");
+    add(price.turns, "throw.turn", "throw.turns");
+    return all.empty() ? phrase("throw.price_nothing") : all;
 }
 
 std::string off_in_words(double off) {
     if (std::isnan(off)) return "-";
-    if (off > lost_orientation) return "lost";
-    return off < 1e-6 ? "below 0.0001 %" : rounded_to(100 * off, "%.2g") + " %";
-}
-std::string off_in_words(const Thrown& thrown, const Answer& answer) {
-    const std::string whole = off_in_words(thrown.off);
-    return answer.axis < 0 ? whole : padded(off_in_words(thrown.axis_off), 20) + whole;
+    if (off > lost_orientation) return phrase("throw.lost");
+    return off < 1e-6 ? phrase("throw.tiny") : rounded_to(100 * off, "%.2g") + " %";
 }
 
 std::string spin_left(const Thrown& thrown) {
@@ -179,84 +178,88 @@ std::string spin_left(const Thrown& thrown) {
                : "-";
 }
 
-void print(Report& report, const std::string& method, const Thrown& thrown, const Answer& answer) {
+// A line of the table of the throw. How far the axis is off comes first where there is one.
+void print_throw(Report& report, const Answer& answer, const std::string& method, const std::string& energy,
+                 const std::string& most, const std::string& spin, const std::string& axis, const std::string& whole) {
+    report.print(row(
+        {{method, 34}, {energy, 14}, {most, 14}, {spin, 12}, {answer.axis < 0 ? "" : axis, answer.axis < 0 ? 0u : 20u}},
+        whole));
+}
+void print_throw(Report& report, const Answer& answer, const std::string& method, const Thrown& thrown) {
     const bool blew_up = std::isinf(thrown.energy);
-    report.print("%s%s%s%s%s\n", padded(method, 34).c_str(),
-                 padded(blew_up ? "blew up" : factor(thrown.energy), 14).c_str(),
-                 padded(blew_up ? "blew up" : factor(thrown.most_energy), 14).c_str(),
-                 padded(spin_left(thrown), 12).c_str(), off_in_words(thrown, answer).c_str());
+    const auto energy = [&](double value) { return blew_up ? phrase("throw.blew_up") : factor(value); };
+    print_throw(report, answer, method, energy(thrown.energy), energy(thrown.most_energy), spin_left(thrown),
+                off_in_words(thrown.axis_off), off_in_words(thrown.off));
 }
 
 void print_recommendation(Report& report, const Answer& answer) {
     const auto& choice = answer.take.choice;
     std::string take = without_marks(choice.take);
-    const std::string why = without_marks(choice.why);
     if (answer.take.substeps > 1)
-        take += " (here " + std::to_string(answer.take.substeps) + " substeps of " +
-                rounded_to(answer.step / double(answer.take.substeps)) + " s)";
+        take += phrase("throw.substeps_of", {{"count", std::to_string(answer.take.substeps)},
+                                             {"step", rounded_to(answer.step / double(answer.take.substeps))}});
     if (answer.all_but_equal) {
-        report.print("\nTwo moments are within %s %% of each other. ",
-                     rounded_to(100 * answer.closest.apart, "%.2g").c_str());
-        if (std::isfinite(answer.half_gone))
-            report.print(
-                "By passive half of the spin about the axis of the third is gone after\n%s s; by "
-                "SymmetricInertia it stays. ",
-                rounded_to(answer.half_gone).c_str());
-        report.print("(--inertia %s)\nBut then it no longer tumbles when it spins across.\n",
-                     equal_moments(answer).c_str());
-        if (choice.name == "symmetric_free")
-            report.print(
-                "Ball and remainder 2 is accurate for this throw, with the true moments.\n"
-                "Other throws may need order 4: run advise for them, too.\n");
+        const std::string apart = rounded_to(100 * answer.closest.apart, "%.2g"), moments = equal_moments(answer);
+        report.print("\n");
+        report.paragraph(phrase("throw.nearly_equal", {{"apart", apart}}) +
+                         (std::isfinite(answer.half_gone)
+                              ? phrase("throw.half_gone", {{"time", rounded_to(answer.half_gone)}})
+                              : "") +
+                         phrase("throw.declare", {{"moments", moments}}));
+        if (choice.name == "symmetric_free") report.paragraph(phrase("throw.order_2"));
     }
-    report.print("\nRecommended: %s because %s, %s.\n", take.c_str(), why.c_str(), chapter(choice).c_str());
+    report.print("\n" +
+                 phrase("throw.recommended",
+                        {{"take", take}, {"why", without_marks(choice.why)}, {"chapter", chapter(choice)}}) +
+                 "\n");
 }
 
 // The library's passive takes a body with two equal moments for what it is; that of any three moments does not.
 bool is_symmetric(const Answer& answer) { return answer.closest.apart == 0 && answer.take.choice.name != "ball"; }
 std::string name_of(const BodyAdvice& advice, const Answer& answer) {
     const bool passive = advice.method == passive_gyroscopic.name;
-    return advice.method + (passive && is_symmetric(answer) ? ", three moments" : "");
+    return passive && is_symmetric(answer) ? phrase("throw.three_moments", {{"method", advice.method}}) : advice.method;
 }
 
 void print(Report& report, const Answer& answer) {
     const double h = answer.step;
-    report.print("|ω| = %s rad/s, h = %s s%s: h|ω| = %s. Can a solver add energy, in any direction of the spin?\n\n",
-                 rounded_to(answer.spin).c_str(), rounded_to(h).c_str(), answer.even ? "" : " at most",
-                 rounded_to(h * answer.spin, "%.4g").c_str());
-    report.print("%s%s%s%s%s\n", padded("method", 26).c_str(), padded("adds energy?", 26).c_str(),
-                 padded("longest step", 17).c_str(), padded("a step costs", 19).c_str(), "cost/s");
+    report.print(phrase(answer.even ? "throw.numbers" : "throw.numbers_at_most",
+                        {{"spin", rounded_to(answer.spin)},
+                         {"step", rounded_to(h)},
+                         {"turn", rounded_to(h * answer.spin, "%.4g")}}) +
+                 "\n\n");
+    const auto line = [&](const std::string& method, const std::string& verdict, const std::string& longest,
+                          const std::string& price, const std::string& cost) {
+        report.print(row({{method, 26}, {verdict, 26}, {longest, 17}, {price, 19}}, cost));
+    };
+    line(phrase("table.method"), phrase("throw.adds"), phrase("throw.longest"), phrase("throw.costs"),
+         phrase("table.cost"));
     for (const auto& advice : answer.all)
-        report.print("%s%s%s%s%s\n", padded(name_of(advice, answer), 26).c_str(),
-                     padded(verdict_in_words(advice), 26).c_str(),
-                     padded(longest_in_words(advice.longest_step), 17).c_str(),
-                     padded(price_in_words(advice.price), 19).c_str(), often(advice.price.all() / h).c_str());
-    report.print("\nYour throw%s, left alone for %s s:\n\n",
-                 answer.tilted ? ", tilted by a hundredth as no hand is exact" : "",
-                 rounded_to(answer.seconds, "%.4g").c_str());
-    report.print("%s%s%s%s%s\n", padded("method", 34).c_str(), padded("energy left", 14).c_str(),
-                 padded("at most", 14).c_str(), padded("spin left", 12).c_str(),
-                 answer.axis < 0 ? "orientation off in 2 s" : "axis off in 2 s     with the roll about it");
-    report.print("%s%s%s%s%s\n", padded("the true motion", 34).c_str(), padded("× 1", 14).c_str(),
-                 padded("× 1", 14).c_str(), padded(spin_left(answer.truth), 12).c_str(),
-                 answer.axis < 0 ? "0" : "0                   0");
-    for (const auto& advice : answer.all) print(report, name_of(advice, answer), advice.thrown, answer);
+        line(name_of(advice, answer), verdict_in_words(advice), longest_in_words(advice.longest_step),
+             price_in_words(advice.price), often(advice.price.all() / h));
+    report.print("\n" +
+                 phrase(answer.tilted ? "throw.watched_tilted" : "throw.watched",
+                        {{"time", rounded_to(answer.seconds, "%.4g")}}) +
+                 "\n\n");
+    print_throw(report, answer, phrase("table.method"), phrase("throw.energy_left"), phrase("throw.at_most"),
+                phrase("throw.spin_left"), phrase("throw.axis_off"),
+                phrase(answer.axis < 0 ? "throw.off" : "throw.roll_off"));
+    print_throw(report, answer, phrase("throw.truth"), "× 1", "× 1", spin_left(answer.truth), "0", "0");
+    for (const auto& advice : answer.all) print_throw(report, answer, name_of(advice, answer), advice.thrown);
     const auto& take = answer.take;
-    if (take.choice.name == "ball") print(report, "dropped, turned by h|ω|", answer.taken, answer);
-    if (answer.all_but_equal) print(report, "declared equal", answer.declared, answer);
-    if (is_symmetric(answer)) print(report, "passive, two equal moments", answer.declared, answer);
+    if (take.choice.name == "ball") print_throw(report, answer, phrase("throw.dropped"), answer.taken);
+    if (answer.all_but_equal) print_throw(report, answer, phrase("throw.declared_equal"), answer.declared);
+    if (is_symmetric(answer)) print_throw(report, answer, phrase("throw.two_moments"), answer.declared);
     if (take.substeps > 1 && answer.taken.seconds > answer.seconds / 2)  // more steps than that nobody waits for
-        print(report, take.choice.method + ", " + std::to_string(take.substeps) + " substeps", answer.taken, answer);
-    report.print("\nWhy:\n");
-    for (const auto& advice : answer.all)
-        report.print("  %s%s\n", padded(name_of(advice, answer), 26).c_str(), advice.reason.c_str());
-    report.print(
-        "\nOne step can: so much the worst one found adds. Longest step: up to it the verdict is no worse.\n"
-        "Spin left: about the axis of the body it was thrown about. Off: 1 %% is 0.01 rad; lost: more than 0.5.\n");
-    if (answer.axis >= 0)
-        report.print(
-            "If the body is round about the axis of its third moment, a roll about that axis is invisible:\n"
-            "use the first of the two columns.\n");
+        print_throw(
+            report, answer,
+            phrase("throw.substeps", {{"method", take.choice.method}, {"count", std::to_string(take.substeps)}}),
+            answer.taken);
+    report.print("\n" + phrase("throw.why") + "\n");
+    for (const auto& advice : answer.all) report.print("  " + row({{name_of(advice, answer), 26}}, advice.reason));
+    report.print("\n");
+    report.paragraph(phrase("throw.columns"));
+    if (answer.axis >= 0) report.paragraph(phrase("throw.roll"));
     print_recommendation(report, answer);
 }
 
@@ -270,7 +273,7 @@ std::vector<Told> answer_body(const Question& question, bool json) {
     if (question.accuracy) refuse_use("--accuracy belongs to a spring: of a body its throw is told");
     const Answer answer = computed(question);
     if (json)
-        report.print("%s\n", as_json(answer).dump(2).c_str());
+        report.print(as_json(answer).dump(2) + "\n");
     else
         print(report, answer);
     return report.told;

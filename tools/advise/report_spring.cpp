@@ -1,13 +1,15 @@
-// ./course advise, asked about springs.
+// ./course advise, asked about springs, or about a damper without one.
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <timestep/checks.hpp>
 #include <timestep/methods/implicit_euler.hpp>
 
 #include "method_on_spring.hpp"
 #include "report.hpp"
+#include "words.hpp"
 
 namespace timestep {
 
@@ -43,8 +45,7 @@ void check_words(const Question& question) {
     if (question.other_arm.value_or(0) > 0 && !question.other_turning && !question.turning)
         refuse_use("--other-arm needs --other-turning");
     if (question.turning && !question.arm) refuse_use("--turning needs --arm");
-    if (!question.frames.empty() && (question.step || question.rate))
-        refuse_use("--frames and --step or --rate say the same: give one of them");
+    refuse_two_steps(question);
 }
 
 Pull pull_of(const Question& question) {
@@ -54,7 +55,7 @@ Pull pull_of(const Question& question) {
     if (question.kind == "chain") return springs_between(mass, question.springs.value_or(2));
     if (question.kind == "cloth") {
         Pull cloth = springs_between(mass, question.springs.value_or(4));
-        if (!question.springs) cloth.found += " (four springs hold a point; with diagonals give --springs 8)";
+        if (!question.springs) cloth.found += phrase("found.cloth");
         return cloth;
     }
     if (question.kind != "hinge") return springs_on_body(mass, question.springs.value_or(1), arm, turning);
@@ -72,50 +73,35 @@ SpringScene springs_of(const Question& question) {
     return scene_of(pull, *question.stiffness, question.damping.value_or(0));
 }
 
-SpringScene scene_of(const Question& question) {
-    check_words(question);
+SpringScene scene_of(const Question& question, const Step& asked) {
     SpringScene scene = springs_of(question);
     scene.only_pulls = question.kind == "tether";
     scene.is_net = question.kind == "chain" || question.kind == "cloth";
     scene.is_joint = question.kind == "hinge";
     scene.kicks = question.kicks;
-    if (!question.frames.empty()) {
-        scene.shortest_frame = positive("shortest frame", question.frames.front());
-        scene.longest_frame = positive("longest frame", question.frames.back());
-        if (!scene.varying()) refuse("longest frame", scene.longest_frame, "longer than the shortest");
-    }
+    if (asked.varying) scene.shortest_frame = asked.shortest, scene.longest_frame = asked.h;
     return scene;
 }
-constexpr double pi = 3.141592653589793;
+
+constexpr double full_turn = 2 * std::numbers::pi;
 
 // Where the error is looked at.
 std::string span(const SpringScene& scene) {
-    return scene.fastest.zeta < 1 ? "in the first period" : "while it decays";
+    return phrase(scene.fastest.zeta < 1 ? "spring.first_period" : "spring.decay");
 }
 
-// Which error is meant, in one sentence.
+// Which error is meant.
 void print_meaning(Report& report, const SpringScene& scene, const std::string& percent) {
-    const double slow = static_cast<double>(std::abs(exact_rate(scene.fastest.zeta)));
-    const std::string end = rounded_to(2 * pi / (slow * scene.fastest.omega)) + " s, ";
-    const bool swings = scene.fastest.zeta < 1;
-    report.paragraph("Right to " + percent + ": let go at rest, no position " + span(scene) +
-                     (swings ? ", " : ", for ") + end + "is off by more than " + percent +
-                     " of the start, and nothing rings." +
-                     (swings ? " After many periods it may be farther off." : ""));
-    const double fast = detail::fast_decay(std::max(1.0, scene.fastest.zeta)) * scene.fastest.omega;
+    const auto& spring = scene.fastest;
+    const double slow = static_cast<double>(std::abs(exact_rate(spring.zeta))) * spring.omega;
+    report.paragraph(phrase(spring.zeta < 1 ? "spring.right" : "spring.right_decay",
+                            {{"accuracy", percent}, {"time", rounded_to(full_turn / slow)}}));
+    const double fast = detail::fast_decay(std::max(1.0, spring.zeta)) * spring.omega;
     if (scene.thrown)
-        report.paragraph(
-            "The fast decay takes " + rounded_to(2 * pi / fast) +
-            " s, several of your steps. It does not show when the body is let go at rest, so a second start "
-            "counts as well: the body is thrown from its rest position, and its velocity must not be off by more "
-            "than " +
-            percent + " of the throw's.");
-    else if (scene.fastest.zeta > hidden_decay)
-        report.paragraph("A kick is over within three of your steps; how it dies is not looked at.");
-    if (slow * scene.fastest.omega * 60 < 0.01)
-        report.paragraph(
-            "In a minute the spring moves the body by less than 1 % of the way. For the damper alone give --mass and "
-            "--damping without --stiffness.");
+        report.paragraph(phrase("spring.fast_decay", {{"time", rounded_to(full_turn / fast)}, {"accuracy", percent}}));
+    else if (spring.zeta > hidden_decay)
+        report.paragraph(phrase("spring.kick_is_over"));
+    if (slow * 60 < 0.01) report.paragraph(phrase("spring.hardly_moves"));
 }
 
 // The scene in words: its fastest oscillation, how it was found, and the step.
@@ -123,77 +109,55 @@ void print_scene(Report& report, const SpringScene& scene, const Step& asked) {
     const auto& spring = scene.fastest;
     const double h = asked.h, omega = spring.omega;
     const double decay = spring.zeta < 1 ? spring.zeta : 1 / detail::fast_decay(spring.zeta);
-    if (!scene.found.empty())
+    if (!scene.found.empty()) {
+        const bool turns = scene.found.find("/I") != std::string::npos;
         report.paragraph(
-            "The fastest oscillation: ω² = " + scene.found + "; so ω = " + rounded_to(omega) + " rad/s" +
-            (scene.bounded()
-                 ? std::string(" at most, ") +
-                       (scene.found.find("/I") == std::string::npos ? "" : "for springs near their rest length, ") +
-                       "and at least " + rounded_to(scene.least.omega) + " rad/s."
-                 : "."));
-    if (scene.is_net)
-        report.paragraph(
-            "(A chain is taken to have two springs at each point and a cloth four; change that with --springs. If the "
-            "links only have to keep "
-            "their length and you choose no stiffness, use Verlet and correct the links after each step: see the first "
-            "line of \"Which method?\".)");
-    if (scene.several && spring.zeta > 0)
-        report.paragraph(
-            "With several dampers, the verdict for new damping holds if they are swept there and back, dividing by a "
-            "square root each way, "
-            "or solved all at once. The numbers are for solving them all at once.");
-    if (scene.only_pulls)
-        report.paragraph(
-            "A tether only pulls: the limit and the numbers are for a taut tether. Except under implicit Euler, its "
-            "energy may still rise "
-            "each time it goes taut between two steps; short steps gain less.");
+            phrase(!scene.bounded() ? "spring.found"
+                   : turns          ? "spring.found_bounds_near_rest"
+                                    : "spring.found_bounds",
+                   {{"formula", scene.found}, {"omega", rounded_to(omega)}, {"least", rounded_to(scene.least.omega)}}));
+    }
+    if (scene.is_net) report.paragraph(phrase("spring.net"));
+    if (scene.several && spring.zeta > 0) report.paragraph(phrase("spring.several"));
+    if (scene.only_pulls) report.paragraph(phrase("spring.tether"));
     if (scene.varying())
-        report.paragraph(
-            "Frames from " + rounded_to(scene.shortest_frame) + " to " + rounded_to(scene.longest_frame) +
-            " s, all lengths alike, in any order: the limits of semi-implicit Euler, of Verlet's kind and of constant "
-            "acceleration hold for a constant step, "
-            "those of the others for the longest frame. Growth is what a thousand runs "
-            "with frames at random do; stable is said only where it is proven for any order.");
-    const std::string steps = spring.zeta < 1 ? rounded_to(2 * pi / omega / h) + " steps a period" : "no oscillation";
-    report.print(
-        "ω = %s rad/s, ζ = %s, h = %s s: ωh = %s, %s.\nThe true motion: in a second the "
-        "amplitude %s.\n\n",
-        rounded_to(omega).c_str(), rounded_to(spring.zeta).c_str(), rounded_to(h).c_str(),
-        rounded_to(omega * h, "%.4g").c_str(), steps.c_str(), factor(std::exp(-decay * omega)).c_str());
+        report.paragraph(phrase("spring.frames", {{"shortest", rounded_to(scene.shortest_frame)},
+                                                  {"longest", rounded_to(scene.longest_frame)}}));
+    const std::string steps = rounded_to(full_turn / omega / h);
+    report.print(phrase("spring.numbers", {{"omega", rounded_to(omega)},
+                                           {"zeta", rounded_to(spring.zeta)},
+                                           {"step", rounded_to(h)},
+                                           {"turn", rounded_to(omega * h, "%.4g")},
+                                           {"steps", spring.zeta < 1 ? phrase("spring.steps", {{"count", steps}})
+                                                                     : phrase("spring.no_oscillation")}}) +
+                 "\n" + phrase("spring.truth", {{"factor", factor(std::exp(-decay * omega))}}) + "\n\n");
 }
 
 void print(Report& report, const std::vector<Advice>& all, const SpringScene& scene, const Step& asked,
            double accuracy) {
     print_scene(report, scene, asked);
     print_table(report, all);
-    report.paragraph(
-        "Off by: how far, let go at rest, its positions get from the true ones " + span(scene) +
-        ", over the start; "
-        "where fewer than three steps fit into it, eight are looked at, for this and for what is right. "
-        "Amplitude: what a second multiplies it by in the long run. Energy: after a second, over what it should be. "
-        "Cost: force evaluations and solves. A solve counts one, even if it is a mere division as with new damping.");
+    report.paragraph(phrase("spring.columns", {{"span", span(scene)}}) + " " + phrase("report.columns"));
     report.print("\n");
-    print_right(report, all, asked, accuracy, scene.varying());
+    print_right(report, all, asked, accuracy, !asked.varying);  // else of a longest right step nothing can be said
     print_meaning(report, scene, rounded_to(accuracy) + " %");
     const bool any = std::any_of(all.begin(), all.end(), [](const Advice& each) { return each.ringing < 0; });
-    if (scene.fastest.zeta >= 1 || any)
-        report.paragraph(
-            "It rings when a part that should decay turns its sign from step to step and keeps more than half of its "
-            "size.");
-    const auto& spring = scene.fastest;
-    const double quarter = pi / 2 / spring.omega;
-    if (spring.zeta < 1)
-        report.print("The talk's rule of thumb, four steps a period, allows %s s: your step is %s.\n",
-                     rounded_to(quarter).c_str(), asked.h <= quarter ? "within it" : "longer");
+    if (scene.fastest.zeta >= 1 || any) report.paragraph(phrase("spring.rings"));
+    const double quarter = full_turn / 4 / scene.fastest.omega;
+    if (scene.fastest.zeta < 1)
+        report.print(
+            phrase(asked.h <= quarter ? "spring.within_rule" : "spring.beyond_rule", {{"step", rounded_to(quarter)}}) +
+            "\n");
 }
 
 }  // namespace
 
 std::vector<Told> answer_spring(const Question& question, bool json) {
     Report report;
-    SpringScene scene = scene_of(question);
-    const double h = scene.varying() ? scene.longest_frame : step_of(question);
-    const double accuracy = accuracy_of(question);
+    check_words(question);
+    const Step asked = step_of(question);
+    SpringScene scene = scene_of(question, asked);
+    const double h = asked.h, accuracy = accuracy_of(question);
     scene.thrown = thrown_counts(scene.fastest.zeta, scene.fastest.omega * h);
     implicit_euler.check_step(scene.fastest, State<double>{0, 1, 0}, h);
     const auto all = advise(scene, h, accuracy / 100);
@@ -202,19 +166,48 @@ std::vector<Told> answer_spring(const Question& question, bool json) {
     if (json) {
         Json told = as_json(answer, all);
         told["omega"] = scene.fastest.omega, told["zeta"] = scene.fastest.zeta, told["step"] = h;
-        report.print("%s\n", told.dump(2).c_str());
-    } else {
-        const char* name = scene.varying() ? "With your frames"
-                           : question.step ? "At your step"
-                           : question.rate ? "At your rate"
-                                           : "At 60 steps per second";
-        const Step asked{h, name, question.step || question.rate};
-        print(report, all, scene, asked, accuracy);
-        print_recommended(report, answer, asked, scene.varying(),
-                          span(scene) + (scene.only_pulls ? " if it is taut"
-                                         : scene.thrown   ? ", let go or thrown"
-                                                          : ""));
+        report.print(told.dump(2) + "\n");
+        return report.told;
     }
+    print(report, all, scene, asked, accuracy);
+    const std::string when = scene.only_pulls ? phrase("spring.if_taut")
+                             : scene.thrown   ? phrase("spring.or_thrown")
+                                              : "";
+    print_recommended(report, answer, asked, span(scene) + when, "spring.rate");
+    return report.told;
+}
+
+std::vector<Told> answer_damper(const Question& question, bool json) {
+    Report report;
+    if (question.kind != "spring" || question.springs || question.arm || question.turning || question.keep_size)
+        refuse_use("a damper alone has no --kind, --springs, --arm, --turning and --keep-size: give --stiffness, too");
+    if (!question.mass || !question.damping) refuse_use("--damping and --mass belong together");
+    const double rate = positive("damping", *question.damping) / positive("mass", *question.mass);
+    Step asked = step_of(question);
+    if (asked.varying) asked.name = phrase("damper.longest_frame");
+    const double h = asked.h, accuracy = accuracy_of(question), left = std::exp(-rate * h);
+    const auto all = advise_damper(rate, h, accuracy / 100);
+    const Goal goal{question.accuracy.has_value(), false, accuracy / 100};
+    const Recommendation answer = recommend_damper(rate, h, goal, all);
+    if (json) {
+        Json told = as_json(answer, all);
+        told["decay_per_second"] = rate, told["step"] = h;
+        report.print(told.dump(2) + "\n");
+        return report.told;
+    }
+    report.print(
+        phrase(asked.varying ? "damper.numbers_at_most" : "damper.numbers",
+               {{"rate", rounded_to(rate)}, {"step", rounded_to(h)}, {"z", rounded_to(rate * h, "%.4g")}}) +
+        "\n" +
+        phrase("damper.truth", {{"step", rounded_to(left, "%.4g")}, {"second", rounded_to(std::exp(-rate), "%.3g")}}) +
+        "\n\n");
+    print_table(report, all);
+    report.paragraph(phrase("damper.columns", {{"time", rounded_to(full_turn / rate)}}) + " " +
+                     phrase("report.columns"));
+    report.print("\n");
+    print_right(report, all, asked, accuracy, true);
+    report.paragraph(phrase("damper.exact", {{"factor", rounded_to(left, "%.4g")}}));
+    print_recommended(report, answer, asked, phrase("damper.where"), "damper.rate");
     return report.told;
 }
 

@@ -1,13 +1,9 @@
-// Can one step raise the energy of my spinning body? What every way to treat the gyroscopic torque can do at a given
-// step, in the worst direction.
+// In which direction of the spin does one step raise the energy most, and from which step on?
 
 #include <algorithm>
 #include <cmath>
 
-#include <timestep/gyroscopic.hpp>
-
 #include "advise_body.hpp"
-#include "method_on_spring.hpp"
 
 namespace timestep {
 
@@ -76,132 +72,5 @@ double unbounded_step(const PrincipalInertia<double>& inertia, double spin) {
 }
 
 bool no_torque(const PrincipalInertia<double>& inertia) { return (inertia.ratio.array() == 0).all(); }
-
-namespace {
-
-template <class Solver>
-double energy_gain(const Solver& solver, const PrincipalInertia<double>& any_size, const Vector3<double>& omega,
-                   double h) {
-    const PrincipalInertia<double> inertia = any_size.scaled_to_one();
-    if constexpr (requires { solver.step(inertia, omega, h); }) {  // in body coordinates, as it is
-        const Vector3<double> next = solver.step(inertia, omega, h);
-        return kinetic_energy(inertia, next) / kinetic_energy(inertia, omega);
-    } else {
-        const RigidState<double> before{0, Quaternion<double>::Identity(), omega};
-        const RigidState<double> after = step_rotation(solver, inertia, before, h);
-        return kinetic_energy(inertia, after) / kinetic_energy(inertia, before);
-    }
-}
-
-SpinAdvice spin_advice(const char* method, double h, int work) {
-    const double infinity = std::numeric_limits<double>::infinity();
-    return {method, Verdict::stable, "", 1, Vector3<double>::Zero(), infinity, work / h};
-}
-
-template <class Solver>
-void find_worst(SpinAdvice& advice, const Solver& solver, const PrincipalInertia<double>& inertia, double spin,
-                double h) {
-    const Worst worst = worst_direction([&](const Vector3<double>& direction) {
-        return energy_gain(solver, inertia, Vector3<double>(direction), h * spin);  // |ω| may be any size
-    });
-    advice.worst_gain = std::max(worst.gain, 1.0);
-    advice.worst_spin = spin * worst.direction;
-    if (advice.verdict != Verdict::grows || worst.gain > 1 + more_than_roundoff) return;
-    advice.verdict = Verdict::too_close_to_call;
-    advice.reason += "; here less than 1e-12 of the energy, lost in roundoff";
-}
-
-// A solver that adds energy at every step where there is a torque.
-template <class Solver>
-SpinAdvice judge_adding(const Solver& solver, const PrincipalInertia<double>& inertia, double spin, double h,
-                        const char* why) {
-    SpinAdvice advice = spin_advice(solver.name, h, 1);
-    if (no_torque(inertia)) return advice.reason = "equal moments: no gyroscopic torque", advice;
-    advice.verdict = Verdict::grows;
-    advice.longest_step = 0;
-    advice.reason = why;
-    find_worst(advice, solver, inertia, spin, h);
-    return advice;
-}
-
-SpinAdvice judge_spin(const ExplicitGyroscopic& solver, const PrincipalInertia<double>& inertia, double spin,
-                      double h) {
-    return judge_adding(solver, inertia, spin, h, "each step adds h²/2 |I^(−1/2) (ω × Iω)|²");
-}
-
-SpinAdvice judge_spin(const LaggedInertia& solver, const PrincipalInertia<double>& inertia, double spin, double h) {
-    return judge_adding(solver, inertia, spin, h, "keeps |L|; the energy may rise up to L² / (2 I_min)");
-}
-
-SpinAdvice judge_spin(const NoGyroscopic& solver, const PrincipalInertia<double>&, double, double h) {
-    SpinAdvice advice = spin_advice(solver.name, h, 0);
-    advice.reason = "ω stands still: no energy is added, and nothing tumbles";
-    return advice;
-}
-
-SpinAdvice judge_spin(const ImplicitGyroscopic& solver, const PrincipalInertia<double>& inertia, double spin,
-                      double h) {
-    SpinAdvice advice = spin_advice(solver.name, h, 2);
-    if ((inertia.ratio.array() == 0).any())
-        return advice.reason = "two equal moments: the equations are linear, one iteration solves them", advice;
-    advice.longest_step = longest_safe_step(inertia, spin);
-    advice.verdict = verdict(h, advice.longest_step);
-    advice.reason = "h|ω| = " + number(h * spin) + (h < advice.longest_step ? " < " : " ≥ ") +
-                    number(advice.longest_step * spin) + " = √(I₁I₃) / (I₃ − I₁), least and largest moment";
-    find_worst(advice, solver, inertia, spin, h);
-    if (const double unbounded = unbounded_step(inertia, spin); h >= unbounded) {
-        advice.worst_gain = std::numeric_limits<double>::infinity();
-        advice.reason += "; from " + number(unbounded * spin) + " on without bound";
-    }
-    return advice;
-}
-
-SpinAdvice judge_spin(const ConvergedGyroscopic& solver, const PrincipalInertia<double>&, double, double h) {
-    SpinAdvice advice = spin_advice(solver.name, h, 0);
-    advice.cost = std::numeric_limits<double>::quiet_NaN();  // as many iterations as it takes
-    advice.reason = "E₂ − E₁ = −½ (ω₂ − ω₁)·I(ω₂ − ω₁) for every step";
-    return advice;
-}
-
-SpinAdvice judge_spin(const PassiveGyroscopic& solver, const PrincipalInertia<double>&, double, double h) {
-    SpinAdvice advice = spin_advice(solver.name, h, 2);
-    advice.reason = "|√I ω| never grows: with s = √I ω the step is s₂ − k × s₂ = s₁";
-    return advice;
-}
-
-}  // namespace
-
-const std::vector<GyroscopicSolver>& gyroscopic_solvers() {
-    static const std::vector<GyroscopicSolver> all = [] {
-        std::vector<GyroscopicSolver> made;
-        for_each_gyroscopic([&](const auto& solver) {
-            made.push_back(
-                {solver.name,
-                 [=](const auto& inertia, double spin, double h) { return judge_spin(solver, inertia, spin, h); },
-                 [=](const auto& inertia, const auto& omega, double h) {
-                     return energy_gain(solver, inertia, omega, h);
-                 }});
-        });
-        return made;
-    }();
-    return all;
-}
-
-const GyroscopicSolver& gyroscopic_solver(std::string_view name) {
-    for (const GyroscopicSolver& each : gyroscopic_solvers())
-        if (name == each.name) return each;
-    refuse("there is no gyroscopic solver \"" + std::string(name) + "\"");
-}
-
-std::vector<SpinAdvice> advise_spin(const PrincipalInertia<double>& inertia, double spin, double h) {
-    positive("spin", spin);
-    positive("step", h);
-    positive("step times spin", h * spin);
-    if (spin > 1e50) refuse("spin", spin, "at most 1e50");
-    if (h * spin > 1e50) refuse("step times spin", h * spin, "at most 1e50");
-    std::vector<SpinAdvice> all;
-    for (const GyroscopicSolver& solver : gyroscopic_solvers()) all.push_back(solver.judge(inertia, spin, h));
-    return all;
-}
 
 }  // namespace timestep

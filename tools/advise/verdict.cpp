@@ -1,11 +1,12 @@
 // Will it blow up, and why.
 
-#include "verdict.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
+
+#include "method_on_spring.hpp"
+#include "words.hpp"
 
 #if defined(__clang__)  // what is long double here is meant to be
 #pragma clang diagnostic ignored "-Wdouble-promotion"
@@ -13,18 +14,29 @@
 
 namespace timestep {
 
+std::string limit_reason(const std::string& quantity, double value, const StabilityLimit& limit) {
+    if (!std::isfinite(limit.value)) return phrase("why.every_step");
+    const int digits = number(value) == number(limit.value) ? 7 : 4;  // as many as tell the two apart
+    const std::string left = number(value, digits), right = number(limit.value, digits), words = limit.formula;
+    const std::string formula = right == words || words.empty() ? ""
+                                : words.starts_with("the ")     ? ", " + words
+                                                                : " = " + words;
+    const Values values{{"quantity", quantity}, {"value", left}, {"limit", right}, {"formula", formula}};
+    return phrase(left == right ? "why.at_limit" : value < limit.value ? "why.below" : "why.above", values);
+}
+
 namespace {
 
-// Why a constant step is stable or not, for people.
-std::string reason(const StabilityLimit& limit, double s) {
-    if (!std::isfinite(limit.value)) return "stable for every step";
-    const int digits = number(s) == number(limit.value) ? 7 : 4;  // as many as tell the two apart
-    const std::string left = number(s, digits), right = number(limit.value, digits);
-    const std::string words = limit.formula, link = words.starts_with("the ") ? ", " : " = ";
-    const std::string formula = right == words ? "" : link + words;
-    if (left == right) return "ωh = " + left + formula + ", the limit itself";
-    return "ωh = " + left + (s < limit.value ? " < " : " > ") + right + formula;
-}
+// A verdict, and the formula behind it.
+struct Reason {
+    Verdict verdict;
+    std::string reason;
+};
+
+// How fast a state grows per step: the mean of the logarithm, and how well it is known.
+struct Growth {
+    double mean, deviation;
+};
 
 // So many lengths stand for all those between the shortest and the longest, evenly apart.
 inline constexpr int lengths = 129;
@@ -78,18 +90,17 @@ bool common_ellipse(const std::vector<StepMatrix<double>>& steps) {
     return least <= 1;
 }
 
-}  // namespace
-
 // A constant step. `high` is the limit for the fastest oscillation that can be, `low` for the
 // slowest that the fastest one can be. By each method's formula a slower swing with less damping is
 // stable where a faster one with more, in proportion, is: no limit rises faster than ζ does.
 Reason constant_step(const SpringScene& scene, double h, const StabilityLimit& high, const StabilityLimit& low) {
     const double s = scene.fastest.omega * h, least = scene.least.omega * h;
     const Verdict at_most = verdict(s, high.value), at_least = verdict(least, low.value);
-    if (at_most == Verdict::stable || !scene.bounded()) return {at_most, reason(high, s)};
-    if (at_least == Verdict::grows) return {Verdict::grows, reason(low, least) + ", at least"};
+    if (at_most == Verdict::stable || !scene.bounded()) return {at_most, limit_reason("ωh", s, high)};
+    if (at_least == Verdict::grows)
+        return {Verdict::grows, phrase("why.at_least", {{"reason", limit_reason("ωh", least, low)}})};
     return {Verdict::not_proven,
-            "ωh is " + number(least) + " to " + number(s) + ", and " + number(high.value) + " the limit"};
+            phrase("why.between", {{"least", number(least)}, {"most", number(s)}, {"limit", number(high.value)}})};
 }
 
 // Several dampers at the new velocity, one after another there and back with a root of each
@@ -100,12 +111,10 @@ Reason constant_step(const SpringScene& scene, double h, const StabilityLimit& h
 // equations.
 Reason several_dampers(const SpringScene& scene, double h, const StabilityLimit& high, const StabilityLimit& low) {
     const double s = scene.fastest.omega * h, least = scene.least.omega * h;
-    if (verdict(s, 2) == Verdict::stable)
-        return {Verdict::stable, "ωh = " + number(s) + " < 2, dampers there and back or all at once"};
+    if (verdict(s, 2) == Verdict::stable) return {Verdict::stable, phrase("why.swept", {{"value", number(s)}})};
     if (verdict(least, low.value) == Verdict::grows)
-        return {Verdict::grows, reason(low, least) + ", at least, dampers all at once"};
-    return {Verdict::not_proven,
-            "ωh = " + number(s) + " at most: proven below 2; with all dampers at once below " + number(high.value)};
+        return {Verdict::grows, phrase("why.at_least_at_once", {{"reason", limit_reason("ωh", least, low)}})};
+    return {Verdict::not_proven, phrase("why.not_swept", {{"value", number(s)}, {"limit", number(high.value)}})};
 }
 
 // A tether that lets go and takes hold between two steps can be stretched, when it takes hold, by
@@ -114,9 +123,9 @@ Reason several_dampers(const SpringScene& scene, double h, const StabilityLimit&
 // falls. Off a centre of mass the potential is not convex in the body's angle, and a step of
 // implicit Euler may gain.
 Reason tether(const Reason& taut, bool implicit_euler) {
-    if (implicit_euler) return {Verdict::stable, "stable for every step, slack or taut"};
-    if (taut.verdict != Verdict::stable) return {taut.verdict, "taut: " + taut.reason};
-    return {Verdict::not_proven, "taut: " + taut.reason + "; each time it goes taut, it may gain"};
+    if (implicit_euler) return {Verdict::stable, phrase("why.tether_every_step")};
+    if (taut.verdict != Verdict::stable) return {taut.verdict, phrase("why.taut", {{"reason", taut.reason}})};
+    return {Verdict::not_proven, phrase("why.tether_may_gain", {{"reason", taut.reason}})};
 }
 
 // The steps of all lengths, in double.
@@ -200,18 +209,20 @@ inline constexpr double slowest_growth = 2e-6;
 // one may grow together: there only an ellipse that none of them leaves is a proof.
 Reason varying_steps(bool steps_commute, const StabilityLimit& limit, double shortest, double longest,
                      const std::vector<StepMatrix<double>>& steps, const Growth& growth) {
-    if (!std::isfinite(limit.value)) return {Verdict::stable, "whatever order the frames come in"};
+    if (!std::isfinite(limit.value)) return {Verdict::stable, phrase("why.any_order")};
     const bool sure = growth.mean > slowest_growth + 5 * growth.deviation;
     if (steps_commute) {
         const Verdict at_most = verdict(longest, limit.value), at_least = verdict(shortest, limit.value);
-        if (at_most == Verdict::stable) return {at_most, reason(limit, longest) + ", at the longest frame"};
-        if (at_least == Verdict::grows) return {at_least, reason(limit, shortest) + ", at the shortest frame"};
+        if (at_most == Verdict::stable)
+            return {at_most, phrase("why.longest_frame", {{"reason", limit_reason("ωh", longest, limit)}})};
+        if (at_least == Verdict::grows)
+            return {at_least, phrase("why.shortest_frame", {{"reason", limit_reason("ωh", shortest, limit)}})};
     } else if (limit.value > longest && common_ellipse(steps)) {
-        return {Verdict::stable, "one ellipse holds every step, in any order"};
+        return {Verdict::stable, phrase("why.ellipse")};
     }
-    if (sure) return {Verdict::grows, "frames at random between the two lengths make it grow"};
-    const std::string at = "its limit, ωh = " + number(limit.value);
-    return {Verdict::not_proven, at + (steps_commute ? ", lies between the frames" : ", holds for a constant step")};
+    if (sure) return {Verdict::grows, phrase("why.random_frames")};
+    return {Verdict::not_proven, phrase(steps_commute ? "why.limit_between_frames" : "why.limit_of_constant_step",
+                                        {{"limit", number(limit.value)}})};
 }
 
 // The largest distance from the true place in the first period, of thirty runs with frames at
@@ -238,6 +249,106 @@ double random_position_error(const MatrixOf& matrix, const std::function<double(
         }
     }
     return most;
+}
+
+Reason judge(const MethodOnSpring& method, const SpringScene& scene, double h, const Growth& growth,
+             const std::vector<StepMatrix<double>>& steps) {
+    const double omega = scene.fastest.omega;
+    const bool sweep = scene.several && method.new_damping && scene.fastest.zeta > 0;
+    const Reason constant = sweep ? several_dampers(scene, h, method.at_once, method.least_limit)
+                                  : constant_step(scene, h, method.limit, method.least_limit);
+    if (scene.only_pulls) {
+        const Reason taut = tether(constant, method.implicit_euler && !scene.turns);
+        const bool surely_grows = taut.verdict == Verdict::grows && !scene.varying();
+        if (taut.verdict == Verdict::stable || surely_grows || !scene.varying()) return taut;
+        return {Verdict::not_proven, taut.reason};
+    }
+    if (!scene.varying()) return constant;
+    Reason said = varying_steps(method.steps_commute, method.limit, omega * scene.shortest_frame,
+                                omega * scene.longest_frame, steps, growth);
+    // Of the slower oscillations that the fastest one may be nothing more is known.
+    if (scene.bounded() && said.verdict == Verdict::grows) said.verdict = Verdict::not_proven;
+    // One ellipse holds one oscillation.
+    if ((scene.bounded() || scene.several) && !method.steps_commute && said.verdict == Verdict::stable &&
+        std::isfinite(method.limit.value))
+        return {Verdict::not_proven, phrase("why.fastest_alone")};
+    return said;
+}
+
+// Where it rings. Of two decays with multipliers of different signs the fast one is below zero.
+std::string ringing_reason(const std::vector<Complex>& all, long double most, double zeta) {
+    const bool one = std::any_of(all.begin(), all.end(), [](const Complex& z) { return z.real() >= 0; });
+    const std::string by = number(static_cast<double>(-most), 3);
+    const std::string part = phrase(zeta < 1 ? "why.motion" : one ? "why.fast_part" : "why.decaying_part");
+    return phrase("why.rings", {{"part", part}, {"factor", by == "1" ? phrase("why.nearly_one") : "−" + by}});
+}
+
+}  // namespace
+
+Advice refused(const MethodOnSpring& method) {
+    Advice advice;
+    advice.method = method.name, advice.verdict = Verdict::refused, advice.reason = phrase("why.refused");
+    return advice;
+}
+
+void tell_growth(Advice& advice, long double growth, double h, long double rate) {
+    advice.growth_per_step = static_cast<double>(std::exp(growth));
+    advice.growth_per_second = static_cast<double>(std::exp(growth / h));
+    advice.energy_ratio = static_cast<double>(std::exp(2 * (growth / h - rate)));
+    advice.energy_drift = static_cast<double>(std::expm1(2 * (growth / h - rate)));
+}
+
+Advice at_step(const MethodOnSpring& method, const SpringScene& scene, double h, double wanted) {
+    const DampedSpring<double>& spring = scene.fastest;
+    if (!method.takes_damping && spring.zeta > 0) return refused(method);
+
+    const double s = spring.omega * h, zeta = spring.zeta;
+    const auto all = method.multipliers(s);
+    const Complex lambda = all.front(), exact = exact_rate(zeta);
+    long double largest = 0;
+    for (const Complex& each : all) largest = std::max(largest, std::abs(each));
+
+    Advice advice;
+    advice.method = method.name;
+    advice.longest_step = method.limit.value / spring.omega;
+    advice.position_error = method.position_error(s);
+    advice.rate_error = rate_error(all, zeta, s);
+    long double growth_per_step = std::log(largest);
+    double mean_step = h;
+    Growth growth{0, 0};
+    std::vector<StepMatrix<double>> steps;
+    if (scene.varying()) {
+        const double shortest = spring.omega * scene.shortest_frame, longest = spring.omega * scene.longest_frame;
+        steps = steps_of(method.matrix, shortest, longest);
+        growth = method.steps_commute ? mean_growth(steps, zeta) : random_products(steps);
+        growth_per_step = growth.mean;
+        mean_step = (scene.shortest_frame + scene.longest_frame) / 2;
+        advice.position_error = random_position_error(method.matrix, method.position_error,
+                                                      DampedSpring<long double>(1, zeta), shortest, longest);
+    }
+    const Reason said = judge(method, scene, h, growth, steps);
+    advice.verdict = said.verdict;
+    advice.reason = said.reason;
+    // What a tether does when it is slack, and what is not known of the springs, is not the
+    // oscillation's affair.
+    const bool taut = scene.only_pulls && advice.verdict == Verdict::not_proven;
+    if (advice.verdict == Verdict::stable || taut) {
+        const long double most = ringing(all, zeta, s);
+        advice.ringing = static_cast<double>(most);
+        if (most < 0 && advice.verdict == Verdict::stable) {
+            advice.reason =
+                ringing_reason(all, most, zeta) + (std::isfinite(method.limit.value) ? "; " + advice.reason : "");
+        }
+    }
+    tell_growth(advice, growth_per_step, mean_step, exact.real() * spring.omega);
+    if (exact.imag() > 0 && lambda.imag() > 0)
+        advice.period_error = static_cast<double>(exact.imag() * s / std::arg(lambda) - 1);
+    advice.cost = method.work / mean_step;
+    advice.step = h;
+    if (scene.kicks && method.two_steps) advice.reason += phrase("why.restart");
+    advice.right =
+        (advice.verdict == Verdict::stable || taut) && advice.ringing == 0 && advice.position_error <= wanted;
+    return advice;
 }
 
 }  // namespace timestep

@@ -73,19 +73,22 @@ private:
 
 // Can one step raise the energy of a body at this rate of spin? A thousand directions are tried,
 // and the one that the advice itself names.
-bool gains(const GyroscopicSolver& solver, const PrincipalInertia<double>& inertia, double spin, double h,
+bool gains(const BodySolver& solver, const PrincipalInertia<double>& inertia, double spin, double h,
            const Vector3<double>& named, Scenes& scenes) {
-    double most = named.isZero() ? 1 : solver.gain(inertia, named, h);
+    double most = named.isZero() ? 1 : solver.gain(inertia, Vector3<double>(h * named));
     for (int i = 0; i < 1000 && !(most > 1 + 1e-12); ++i)
-        most = std::max(most, solver.gain(inertia, Vector3<double>(spin * scenes.direction()), h));
+        most = std::max(most, solver.gain(inertia, Vector3<double>(h * spin * scenes.direction())));
     return !(most <= 1 + 1e-12);
 }
 
 // The advice for one body, and what the trials say.
-void spinning(const GyroscopicSolver& solver, const PrincipalInertia<double>& inertia, double spin, double h,
-              Scenes& scenes, Tally& tally) {
-    const SpinAdvice advised = solver.judge(inertia, spin, h);
-    Scenes::count(advised.verdict, gains(solver, inertia, spin, h, advised.worst_spin, scenes), tally);
+void spinning(const BodySolver& solver, const PrincipalInertia<double>& inertia, double spin, double h, Scenes& scenes,
+              Tally& tally) {
+    const BodyAdvice advised = solver.judge(inertia, spin, h, true);
+    const Verdict said = advised.adds == AddsEnergy::never          ? Verdict::stable
+                         : advised.adds == AddsEnergy::one_step_can ? Verdict::grows
+                                                                    : Verdict::too_close_to_call;
+    Scenes::count(said, gains(solver, inertia, spin, h, advised.worst_spin, scenes), tally);
 }
 
 void add(lab::Table& table, const std::string& what, const Tally& tally) {
@@ -199,9 +202,9 @@ void advice(const Settings&, lab::Findings& out) {
             const double limit = longest_safe_step(inertia, spin);
             const double h = limit * scenes.even(0.9, 1.1);
             ++bodies.near;
-            spinning(gyroscopic_solver(ImplicitGyroscopic::name), inertia, spin, h, scenes, bodies);
+            spinning(body_solver(ImplicitGyroscopic::name), inertia, spin, h, scenes, bodies);
         } else {
-            spinning(gyroscopic_solvers()[std::size_t(i / 2 % 6)], inertia, spin, size / spin, scenes, bodies);
+            spinning(body_solvers()[std::size_t(i / 2 % 6)], inertia, spin, size / spin, scenes, bodies);
         }
     }
     add(table, "spinning bodies", bodies);
