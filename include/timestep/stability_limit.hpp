@@ -17,8 +17,7 @@
 #include <complex>
 #include <limits>
 
-#include <timestep/methods.hpp>
-#include <timestep/methods/semi_implicit_euler_new_damping.hpp>
+#include <timestep/multipliers.hpp>
 
 namespace timestep {
 
@@ -144,6 +143,27 @@ inline StabilityLimit stability_limit(const ImplicitMidpoint&, double) { return 
 /// the circle, and both stay inside, where they are for z → −∞. (Dahlquist's theorem is another: of
 /// the methods over several steps that have no limit none is of an order above two.)
 inline StabilityLimit stability_limit(const Bdf2&, double) { return detail::no_limit; }
+
+/// Any method without a formula of its own: the shortest step that grows, found by search.
+/// Multipliers above 1 by less than 1e-14 are roundoff.
+template <class Method>
+StabilityLimit stability_limit(const Method& method, double zeta) {
+    const auto stays = [&](double s) {
+        for (const auto& multiplier : detail::multipliers(method, zeta, s))
+            if (!(std::abs(multiplier) <= 1 + 1e-14L)) return false;
+        return true;
+    };
+    double low = 0;
+    for (double s = 1e-5 / (1 + zeta); s < 1e6; low = s, s *= 1.02) {
+        if (stays(s)) continue;
+        for (double high = s; low > 0 && high > low * (1 + 1e-12);) {
+            const double middle = (low + high) / 2;
+            (stays(middle) ? low : high) = middle;
+        }
+        return {low, "the shortest step found to grow"};
+    }
+    return detail::no_limit;
+}
 
 /// Whether a scene blows up.
 enum class Verdict {

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "method_on_spring.hpp"
 #include <timestep/run.hpp>
+
+#include "advice_of.hpp"
+#include "method_on_spring.hpp"
 
 using namespace timestep;
 
@@ -18,10 +20,6 @@ struct Damper {
     double slope_x() const { return 0; }
     double slope_v() const { return -rate; }
 };
-
-const Advice& of(const std::vector<Advice>& all, const std::string& name) {
-    return *std::find_if(all.begin(), all.end(), [&](const Advice& each) { return each.method == name; });
-}
 
 // The largest error of the velocity after a throw, until 2π over `rate`.
 template <class Method, class Model>
@@ -35,13 +33,6 @@ double thrown(const Method& method, const Model& model, double rate, double h) {
         most = std::max(most, std::abs(s.v - truth)), ++n;
     });
     return most;
-}
-
-template <class Visit>
-void for_each_damped(const Visit& visit) {
-    for_each_method(visit);
-    visit(semi_implicit_euler_new_damping);
-    visit(constant_acceleration);
 }
 
 }  // namespace

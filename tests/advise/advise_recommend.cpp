@@ -59,12 +59,6 @@ int gaining_throws(double s, long steps) {
 
 }  // namespace
 
-TEST_CASE("up to a turn of an eighth no tether is seen to gain by semi-implicit Euler, and at half many are",
-          "[library][I13]") {
-    CHECK(gaining_throws(tether_turn, 5'000) == 0);
-    CHECK(gaining_throws(0.5, 5'000) > 200);
-}
-
 TEST_CASE("of four hundred throws of a hundred thousand steps no tether gains a quarter",
           "[library][I13][long][proof]") {
     CHECK(gaining_throws(tether_turn, 100'000) == 0);
@@ -88,7 +82,7 @@ TEST_CASE("a tether gets implicit Euler, and short substeps where it must bounce
     }
 }
 
-TEST_CASE("in frames of uneven length the answer heeds the oscillation, its size and the accuracy", "[library][I13]") {
+TEST_CASE("in uneven frames the answer depends on the oscillation, its size and the accuracy", "[library][I13]") {
     CHECK(in_frames(30, 0, 1.0 / 60, 1.0 / 30).method == "Runge-Kutta 4");
     CHECK(in_frames(30, 0, 1.0 / 60, 1.0 / 30).substeps == 1);
     CHECK(in_frames(120, 0, 1.0 / 60, 1.0 / 30).substeps == 4);
@@ -100,7 +94,7 @@ TEST_CASE("in frames of uneven length the answer heeds the oscillation, its size
 }
 
 // The answer's own substeps, with frames at random and in a pattern.
-TEST_CASE("what is recommended for uneven frames stands, and is as near as asked", "[library][I13]") {
+TEST_CASE("the method recommended for uneven frames is stable, and as accurate as asked", "[library][I13]") {
     Random random(27);
     int euler = 0;
     for (int i = 0; i < 25; ++i) {
@@ -157,13 +151,6 @@ TEST_CASE("asked for an accuracy the answer reaches it, and no method does at fe
         }
         CHECK(cost <= least * (1 + 1e-9));
     }
-    // Where the cheapest of the list fits whole, that one is the answer, at every accuracy.
-    for (const double accuracy : {0.01, 0.05, 0.2, 0.5}) {
-        const auto all = advise(DampedSpring<double>(10, 0), 1.0 / 60, accuracy);
-        CHECK(recommend(DampedSpring<double>(10, 0), 1.0 / 60, {.precise = true, .accuracy = accuracy}, all).method ==
-              "Verlet");
-        CHECK(cheapest(all, 1.0 / 60)->method == "Verlet");
-    }
 }
 
 // ω = 7 rad/s, ζ = 0.48: one ellipse holds every step of semi-implicit Euler.
@@ -173,7 +160,6 @@ TEST_CASE("in uneven frames semi-implicit Euler is recommended where the proof h
     const Recommendation made = in_frames(wheel.omega, wheel.zeta, 0.0069, 0.033);
     CHECK(made.method == "semi-implicit Euler, new damping");
     CHECK(made.substeps == 1);
-    CHECK(made.why.find("may blow up") == std::string::npos);
     // One ellipse says nothing of the slower oscillations of a chain.
     SpringScene chain = scene_of(springs_between(1200, 2), 58860, 8000);
     chain.shortest_frame = 0.0069, chain.longest_frame = 0.033;
@@ -185,13 +171,7 @@ TEST_CASE("several dampers are swept there and back, and a stiff joint gets impl
     chain.is_net = true;
     const Recommendation made = answer(chain, 1.0 / 60);
     CHECK(made.swept);
-    CHECK(made.take.find("swept there and back") != std::string::npos);
     CHECK(chain.fastest.omega / 60 / double(made.substeps) < 2);
-    SpringScene cloth = scene_of(springs_between(0.1, 4), 1e5, 1);
-    cloth.is_net = true;
-    const Recommendation of_cloth = answer(cloth, 1.0 / 60);
-    CHECK(of_cloth.swept);
-    CHECK(cloth.fastest.omega / 60 / double(of_cloth.substeps) < 2);
     for (const double damping : {0.0, 10.0, 1e4}) {
         SpringScene joint = scene_of(hinge(3, 1 / 3.0, 3, 1 / 3.0), 1e6, damping);
         joint.is_joint = true;
