@@ -33,7 +33,7 @@ std::string link(const Context& context, const std::string& where) {
 
 std::string method_answers_markdown(Context& context, const Directive& directive) {
     if (directive.arguments.empty())
-        throw std::invalid_argument{"{{which}} takes names of answers, of tools/advise/which_method.hpp"};
+        throw std::invalid_argument{"{{which}} takes names of answers, of tools/advise/words.txt"};
     const bool chapter = context.chapter() != nullptr, alone = chapter && directive.arguments.size() == 1;
     std::string text = chapter && !alone ? "| you have | take |\n|---|---|\n" : "";
     int number = 0;
