@@ -3,7 +3,7 @@
 
     absolutes.py ROOT [LIST]
 
-reads the pages (chapters, docs), the answers and reasons of `tools/advise`, and the comments that
+reads the pages (chapters, docs), the words of `tools/advise`, and the comments that
 document the library. A claim with such a word needs a proof: the list names an anchor (#ch5_passive), a study's check
 (05_gyroscopic/example), or a test (test: words of its name) where it stands, and several with "; " between. Definitions and instructions need none.
 Questions are no claims. A line of the list is: fragment of the sentence, tab, kind, tab, where the proof stands or "-".
@@ -72,6 +72,15 @@ def strings(lines):
                 yield text.count("\n", 0, found.start()) + 1, part.replace("`", "").replace("**", "")
 
 
+def texts(lines):
+    """(line, sentence) of the adviser's words, "key: text"."""
+    for number, line in enumerate(lines, 1):
+        if re.match(r"[a-z0-9_]+: ", line):
+            for sentence in re.split(r"; ", line.partition(": ")[2]):
+                for part in sentences_of(sentence) if " " in sentence else []:
+                    yield number, part.replace("`", "").replace("**", "")
+
+
 def sources(root):
     for file in sorted([root / "README.md", *root.glob("chapters/*/*.md"), *root.glob("docs/*.md"), *root.glob("engines/*.md")]):
         if file.name != "promises.md":  # each of its rows names its own tests, which tests/grading/promises.sh looks up
@@ -80,6 +89,8 @@ def sources(root):
         yield file, comments
     for file in sorted([*root.glob("tools/advise/*.[ch]pp")]):
         yield file, strings
+    if (words := root / "tools/advise/words.txt").exists():
+        yield words, texts
 
 
 def claims(root):
