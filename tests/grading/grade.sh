@@ -238,7 +238,7 @@ test_a_course_error_does_not_repeat_for_ever() {
 test_an_interrupt_ends_it_and_leaves_nothing() {
     needs_isolation
     own_build
-    echo 'raise(SIGSTOP);' | answer dave  # for which the checker waits a minute
+    echo 'raise(SIGSTOP);' | answer dave  # for which the checker waits 20 s
     for signal in TERM KILL; do
         start_course grade class --again
         wait_until sh -c 'ps -e -o args | grep -v grep | grep -q "/[v]elocity_now velocity_now '"$folder"'"'

@@ -14,9 +14,9 @@ test_every_test_they_name_exists() {
 test_their_limits_are_those_of_the_checker() {
     seconds() { sed -n "s/.* $1 = \([0-9]*\);.*/\1/p" "$source/$2"; }
     says "$source/docs/promises.md" "each of a compiler's programs has $(seconds compiler_seconds tools/course/paths.hpp) s of work (with Eigen 18), \
-a call $(seconds call_seconds tools/checker/remote.hpp) s, \
+a call $(($(seconds total_seconds tools/checker/remote.hpp) / 4)) s, \
 all calls $(seconds total_seconds tools/checker/remote.hpp) s. \
-Code that sleeps for longer than it may work is ended. By the clock, on which a busy machine is slow, a compiler has \
+By the clock, on which a busy machine is slow, a compiler has \
 $(seconds compiler_seconds tools/course/paths.hpp)0 s and a call $(seconds clock_seconds tools/checker/remote.hpp) s."
 }
 

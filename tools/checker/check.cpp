@@ -30,7 +30,7 @@ Verdict verdict_on(const std::string& exercise, const std::string& worker, const
         Limits limits;
         if (launcher == std::vector<std::string>{"sanitizers"}) {
             limits.sanitizers = true;
-            limits.call_seconds = limits.total_seconds = 20;
+            limits.total_seconds = 40;
             launcher.clear();
         }
         Remote remote(worker, printed, launcher, limits);

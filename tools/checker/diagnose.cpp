@@ -9,6 +9,12 @@
 
 namespace checker {
 
+double size_of(const Numbers& numbers) {
+    double size = 0;
+    for (const double number : numbers) size = std::max(size, std::isfinite(number) ? std::fabs(number) : 0);
+    return size;
+}
+
 double apart(const Numbers& a, const Numbers& b) {
     if (a.size() != b.size()) return HUGE_VAL;
     double difference = 0;
@@ -29,8 +35,7 @@ Numbers roundoff_of(const Truth& truth, const Numbers& arguments, const Numbers&
     constexpr double another_way = 8;  // to write it makes so much more of it
     constexpr double jump = 1e-3;      // of the answer: two numbers are equal, or something lies just at its edge
     Numbers roundoff(right.size());
-    double size = 0;
-    for (const double number : right) size = std::max(size, std::isfinite(number) ? std::fabs(number) : 0);
+    const double size = size_of(right);
     for (unsigned variation = 1; variation <= 3; ++variation) {
         const Numbers near = truth.nudged(arguments, variation, few_units);
         for (std::size_t i = 0; i < std::min(near.size(), right.size()); ++i) {
@@ -63,8 +68,7 @@ Evidence sorted(const Truth& truth, const std::vector<Call>& calls, double least
     Evidence evidence;
     for (const Call& call : calls) {
         Numbers right = truth.answer(call.arguments);
-        double size = least > 0 ? 1 : 0;
-        for (const double number : right) size = std::max(size, std::fabs(number));
+        const double size = std::max(least > 0 ? 1.0 : 0.0, size_of(right));
         const bool differs = !call.right || apart(call.result, right) > least * size;
         if (differs && evidence.wrong.size() < enough_calls) {
             Numbers roundoff = many.empty() ? roundoff_of(truth, call.arguments, right)
@@ -129,10 +133,8 @@ Fit fit_of(const Mistake& mistake, const Evidence& evidence) {
         const Call* call = evidence.right[i];
         const double beside = evidence.beside.empty() ? 0 : evidence.beside[i];
         const Numbers answer = mistake.made.answer(call->arguments);
-        double size = 0;
-        for (const double number : call->result) size = std::max(size, std::fabs(number));
         const bool is_excused = has_numbers && !is_finite(answer);
-        fit.where_right += is_excused || apart(call->result, answer) <= 1e-9 * size + beside;
+        fit.where_right += is_excused || apart(call->result, answer) <= 1e-9 * size_of(call->result) + beside;
         fit.excused += is_excused;
     }
     fit.is_denied = 2 * (double(evidence.right.size()) - fit.where_right) > double(evidence.wrong.size());
@@ -194,11 +196,8 @@ bool loses_as_many_digits(const Mistake& mistake, const Truth& truth, const Evid
         many += agrees || (is_roundoff && gap >= 0.05 * lost);
     }
     std::size_t alike = 0;
-    for (const Call* call : evidence.right) {
-        double size = 0;
-        for (const double number : call->result) size = std::max(size, std::fabs(number));
-        alike += apart(call->result, mistake.made.answer(call->arguments)) <= 1e-8 * size;
-    }
+    for (const Call* call : evidence.right)
+        alike += apart(call->result, mistake.made.answer(call->arguments)) <= 1e-8 * size_of(call->result);
     return double(fits) >= 0.9 * double(evidence.wrong.size()) && double(many) >= 0.6 * double(evidence.wrong.size()) &&
            double(alike) >= 0.75 * double(evidence.right.size()) &&
            2 * (evidence.right.size() - alike) <= evidence.wrong.size();

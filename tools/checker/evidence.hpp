@@ -26,6 +26,8 @@ inline constexpr std::size_t enough_calls = 2000;  ///< are looked at, of the wr
 /// (diagnose.cpp)
 bool is_case_of(const std::string& exercise, const Truth& truth, const Diagnosis& diagnosis, const Call& call);
 
+/// The size of the largest number that is finite.
+double size_of(const Numbers& numbers);
 /// How far one answer lies from another. What is not finite agrees with its like. (diagnose.cpp)
 double apart(const Numbers& a, const Numbers& b);
 /// Does `made` err as the learner does, who found `found` where `right` is right? Number by number, for one number off

@@ -69,7 +69,7 @@ struct Finding {
 };
 
 /// The detail of a too_slow where it was not work that took too long.
-inline constexpr const char *too_slow_asleep = "asleep", *too_slow_by_the_clock = "by the clock";
+inline constexpr const char* too_slow_by_the_clock = "by the clock";
 
 /// Stands in place of a call's arguments where all calls have been answered and the program ends.
 inline constexpr const char* at_the_end = "at the end";

@@ -59,8 +59,7 @@ bool is_nearly_one_share(const Evidence& evidence) {
 bool is_off_by_little(const Evidence& evidence) {
     std::size_t fits = 0, parts = 0;
     for (std::size_t call = 0; call < evidence.wrong.size(); ++call) {
-        double size = 0;
-        for (const double number : evidence.truth[call]) size = std::max(size, std::fabs(number));
+        const double size = size_of(evidence.truth[call]);
         if (size == 0) continue;  // of nothing there is no part
         ++parts;
         fits += apart(evidence.wrong[call]->result, evidence.truth[call]) <= little * size;

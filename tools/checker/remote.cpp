@@ -19,7 +19,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "look.hpp"
 #include "pipe.hpp"
 
 namespace checker {
@@ -31,7 +30,7 @@ double now() {
     return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
-constexpr double turn = 0.1;  // s, between two looks at a worker that has not answered yet
+constexpr int turn = 100;  // ms, between two looks at a worker that has not answered yet
 
 std::string hexadecimal(const void* address) {
     char text[32];
@@ -76,8 +75,7 @@ void limit(__rlimit_resource resource, std::size_t amount, std::size_t hard) {
     limit(RLIMIT_CORE, 0, 0);
     limit(RLIMIT_FSIZE, limits.printed_bytes, limits.printed_bytes);
     if (!limits.sanitizers) limit(RLIMIT_AS, limits.megabytes << 20, limits.megabytes << 20);
-    const auto seconds = static_cast<std::size_t>(limits.total_seconds) + 1;
-    limit(RLIMIT_CPU, seconds, seconds + 1);  // first a signal that says why, then the end
+    limit(RLIMIT_CPU, limits.total_seconds, limits.total_seconds + 1);  // first a signal that says why, then the end
     // It counts all that the user runs, which is less than all that the machine runs.
     struct sysinfo machine {};
     const std::size_t threads = sysinfo(&machine) == 0 ? machine.procs + limits.threads : limits.threads;
@@ -119,12 +117,7 @@ void limit(__rlimit_resource resource, std::size_t amount, std::size_t hard) {
 
 Remote::Remote(const std::string& program, const std::string& printed, const std::vector<std::string>& launcher,
                const Limits& limits)
-    : limits_(limits),
-      launched_(!launcher.empty()),
-      most_bytes_(1 << 16),
-      begin_(now()),
-      call_begin_(begin_),
-      next_look_(begin_ + turn) {
+    : limits_(limits), launched_(!launcher.empty()), most_bytes_(1 << 16), begin_(now()), call_begin_(begin_) {
     std::signal(SIGPIPE, SIG_IGN);
     int calls[2], answers[2], failed[2];
     const int file = open(printed.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644);
@@ -157,7 +150,7 @@ Remote::~Remote() {
 
 // No more calls: the worker returns from its main, global variables are destroyed, and the pipe of answers ends.
 void Remote::await_end() {
-    begin_call();
+    call_begin_ = now();
     close(std::exchange(calls_, -1));
     try {
         hear(Reply::ready);
@@ -184,7 +177,7 @@ void Remote::end() {
 }
 
 void Remote::await() {
-    begin_call();
+    call_begin_ = now();
     hear(Reply::ready);
     // The first call's number is not to be guessed, so that nothing said beforehand is an answer.
     std::random_device random;
@@ -195,7 +188,7 @@ Numbers Remote::operator()(const Numbers& arguments) {
     const Head call{++number_, Reply::answer, static_cast<std::uint32_t>(arguments.size() * sizeof(double))};
     // For each argument some numbers: no test looks for long through an answer of that length.
     most_bytes_ = (10'000 + 4 * arguments.size()) * sizeof(double);
-    begin_call();
+    call_begin_ = now();
     // Who does not listen has perhaps said why, and that comes first: `hear` knows.
     if (send(&call, sizeof call)) send(arguments.data(), call.bytes);
     const std::string bytes = hear(Reply::answer);
@@ -204,44 +197,18 @@ Numbers Remote::operator()(const Numbers& arguments) {
     return result;
 }
 
-// Most calls take microseconds: then one look in many calls is enough to know what all have taken.
-void Remote::begin_call() {
-    call_begin_ = now();
-    call_used_ = -1;
-    asleep_ = 0;
-    if (call_begin_ >= next_look_) look(false);
-}
-
-// The first look of a call tells what was used before it, and is at most a turn late.
-void Remote::look(bool in_call) {
-    const Look seen = look_at(process_);
-    next_look_ = now() + turn;
-    if (seen.known) {
-        if (call_used_ < 0) call_used_ = seen.seconds;
-        if (seen.seconds - call_used_ >= limits_.call_seconds || seen.seconds >= limits_.total_seconds)
-            throw NoAnswer(Kind::too_slow, "");
-    }
-    if (next_look_ - call_begin_ > limits_.clock_seconds || next_look_ - begin_ > 4 * limits_.clock_seconds)
-        throw NoAnswer(Kind::too_slow, too_slow_by_the_clock);
-    // Before a call it sleeps, and after its answer.
-    pollfd answered{answers_, POLLIN, 0};
-    if (!in_call || !seen.asleep || poll(&answered, 1, 0) != 0) return;
-    ++asleep_, ++all_asleep_;
-    if (asleep_ * turn >= limits_.call_seconds || all_asleep_ * turn >= limits_.total_seconds)
-        throw NoAnswer(Kind::too_slow, too_slow_asleep);
-}
-
 // Returns when the pipe is ready, or nobody holds its other end. Throws NoAnswer where that takes too
 // much.
 void Remote::wait_for(int pipe, short event) {
     for (;;) {
         pollfd waiting{pipe, event, 0};
-        if (poll(&waiting, 1, static_cast<int>(turn * 1000)) > 0) return;
+        if (poll(&waiting, 1, turn) > 0) return;
         // A process that it has left behind may hold the pipe open.
         siginfo_t how{};
         waitid(P_PID, static_cast<id_t>(process_), &how, WEXITED | WNOHANG | WNOWAIT);
         if (how.si_pid != 0 && poll(&waiting, 1, 0) == 0) gone();
-        if (now() >= next_look_) look(true);
+        if (now() - call_begin_ > limits_.clock_seconds || now() - begin_ > 4 * limits_.clock_seconds)
+            throw NoAnswer(Kind::too_slow, too_slow_by_the_clock);
     }
 }
 
@@ -277,23 +244,12 @@ void Remote::receive(void* to, std::size_t size) {
     if (!read_all(answers_, to, size, [this] { wait_for(answers_, POLLIN); })) gone();
 }
 
-// The pipe has an end before the answer. The process stays there to be looked at until `end`. One
-// that is about to end has little left to do, but perhaps no processor to do it; one that is not
-// works or sleeps.
+// The pipe has an end before the answer. The process stays there to be looked at until `end`. One that is about to end
+// has little left to do, but perhaps no processor to do it.
 void Remote::gone() {
     siginfo_t how{};
-    double used = -1, looked = now();
-    const double deadline = now() + limits_.clock_seconds;
-    for (int asleep = 0; asleep < 2 && now() < deadline; usleep(500)) {
+    for (const double deadline = now() + limits_.clock_seconds; how.si_pid == 0 && now() < deadline; usleep(500))
         waitid(P_PID, static_cast<id_t>(process_), &how, WEXITED | WNOHANG | WNOWAIT);
-        if (how.si_pid != 0) break;
-        if (now() < looked + turn) continue;
-        const Look seen = look_at(process_);
-        looked = now();
-        asleep += seen.asleep;
-        if (used < 0) used = seen.seconds;
-        if (seen.seconds - used > 2 * turn) break;
-    }
     if (how.si_pid == 0) throw NoAnswer(Kind::left_early, "The program closed the pipe that its answers go through");
     if (how.si_code == CLD_EXITED && launched_ && how.si_status > 128) {  // as a launcher says it
         how.si_code = CLD_KILLED;
@@ -302,9 +258,7 @@ void Remote::gone() {
     if (how.si_code == CLD_EXITED)
         throw NoAnswer(Kind::left_early,
                        "The program ended with status " + std::to_string(how.si_status) + " instead of returning");
-    if (how.si_status == SIGXCPU) throw NoAnswer(Kind::too_slow, "");
-    // Crashes are told before; so soon it is the system, which has no room for the variables.
-    if (number_ == 0 && how.si_status == SIGSEGV) throw NoAnswer(Kind::too_much_memory, "");
+    if (how.si_status == SIGXCPU || how.si_status == SIGPROF) throw NoAnswer(Kind::too_slow, "");
     throw NoAnswer(Kind::crash, strsignal(how.si_status));
 }
 

@@ -14,14 +14,12 @@
 
 namespace checker {
 
-/// How much a worker may take. Seconds are those of a processor: on a busy machine the clock goes
-/// on while others work. For who sleeps they are those in which he was seen asleep. The clock ends
-/// only what neither works nor sleeps, as far as the system tells.
+/// How much a worker may take. Seconds are those of a processor: on a busy machine the clock goes on while others work.
+/// The clock ends only what does not work.
 struct Limits {
-    bool sanitizers = false;    ///< is it compiled with them? They need more room than a limit on addresses leaves
-    double call_seconds = 2;    ///< for one answer
-    double total_seconds = 8;   ///< for all of them
-    double clock_seconds = 60;  ///< by the clock, for one answer; for all of them four times that
+    bool sanitizers = false;        ///< is it compiled with them? They need more room than a limit on addresses leaves
+    std::size_t total_seconds = 8;  ///< for all answers; a quarter of them for one
+    double clock_seconds = 20;      ///< by the clock, for one answer; for all of them four times that
     std::size_t megabytes = 1024;
     std::size_t printed_bytes = 1 << 20;
     std::size_t threads = 256;  ///< above what the machine runs anyway
@@ -49,8 +47,6 @@ public:
     void await_end();
 
 private:
-    void begin_call();
-    void look(bool in_call);
     void wait_for(int pipe, short event);
     bool send(const void* from, std::size_t size);
     std::string hear(Reply expected);
@@ -62,11 +58,9 @@ private:
     bool launched_;
     pid_t process_ = -1;
     int calls_ = -1, answers_ = -1;
-    std::uint64_t number_ = 0;               // of the last call
-    std::size_t most_bytes_;                 // of its answer
-    double begin_, call_begin_, next_look_;  // by the clock
-    double call_used_ = -1;                  // processor time before this call; -1: not known yet
-    int asleep_ = 0, all_asleep_ = 0;        // looks that found it so: in this call, in all
+    std::uint64_t number_ = 0;   // of the last call
+    std::size_t most_bytes_;     // of its answer
+    double begin_, call_begin_;  // by the clock
 };
 
 }  // namespace checker

@@ -66,8 +66,7 @@ bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found
     const double relative = within.relative;
     if (relative == many_are_right) return true;
     const Numbers right = truth.answer(arguments);
-    double largest = 0;
-    for (const double number : right) largest = std::max(largest, std::fabs(number));
+    const double largest = size_of(right);
     Numbers allowed(right.size()), minus = found;
     for (std::size_t i = 0; i < right.size(); ++i)
         allowed[i] = relative * (spoken.one_size ? largest : std::fabs(right[i]));

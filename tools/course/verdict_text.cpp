@@ -142,15 +142,13 @@ std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path
             "Are its answers huge, or such that a loop over them never ends?",
             2);
     if (kind == "too_slow") {
-        const bool asleep = verdict.detail == checker::too_slow_asleep;
-        const std::string in_time = "There was no answer in time (2 s " + std::string(asleep ? "of sleep" : "of work") +
-                                    " for one call, 8 s for all), " + when(exercise, verdict);
-        if (asleep) return wrapped(in_time + ". The code sleeps, or waits for what does not come.", 2);
         if (verdict.detail == checker::too_slow_by_the_clock)
-            return wrapped("There was no answer in a minute, " + when(exercise, verdict) +
-                               ", though there was little work: is the code stopped, or waits it for a disk?",
+            return wrapped("There was no answer in 20 s by the clock, " + when(exercise, verdict) +
+                               ", though there was little work: does the code sleep, or wait for what does not come?",
                            2);
-        return wrapped(in_time + ". Is there a loop that never ends?", 2);
+        return wrapped("There was no answer in time (2 s of work for one call, 8 s for all), " +
+                           when(exercise, verdict) + ". Is there a loop that never ends?",
+                       2);
     }
     if (kind == "too_much_memory")
         return wrapped(

@@ -25,7 +25,7 @@ double velocity_now(double, double, double, double) {
 }
 
 // ---- listens to no signal
-// velocity_now too_slow: waits for what does not come
+// velocity_now too_slow: wait for what does not come
 #include "exercise.hpp"
 
 #include <csignal>

@@ -123,8 +123,7 @@ const char* name_of(Form form) {
 
 bool is_same(const Numbers& made, const Numbers& found) {
     if (made.size() != found.size()) return false;
-    double size = 0;
-    for (const double number : found) size = std::max(size, std::isfinite(number) ? std::fabs(number) : 0);
+    const double size = size_of(found);
     for (std::size_t i = 0; i < made.size(); ++i)
         if (made[i] != found[i] && (std::isfinite(made[i]) || std::isfinite(found[i])) &&
             !(std::isfinite(made[i] - found[i]) &&
@@ -136,9 +135,7 @@ bool is_same(const Numbers& made, const Numbers& found) {
 bool errs_alike(const Numbers& made, const Numbers& found, const Numbers& right, const Numbers& roundoff) {
     if (made.size() != found.size()) return false;
     if (right.size() != found.size()) return is_same(made, found);
-    double size = 0;
-    for (std::size_t i = 0; i < made.size(); ++i)
-        size = std::max(size, std::isfinite(right[i]) ? std::fabs(right[i]) : 0);
+    const double size = size_of(right);
     for (std::size_t i = 0; i < made.size(); ++i) {
         if (made[i] == found[i] || (!std::isfinite(made[i]) && !std::isfinite(found[i]))) continue;
         const double gap = std::fabs(found[i] - right[i]), miss = std::fabs(made[i] - found[i]);
