@@ -148,8 +148,9 @@ inline StabilityLimit stability_limit(const Bdf2&, double) { return detail::no_l
 /// Multipliers above 1 by less than 1e-14 are roundoff.
 template <class Method>
 StabilityLimit stability_limit(const Method& method, double zeta) {
-    const auto stays = [&](double s) {
-        for (const auto& multiplier : detail::multipliers(method, zeta, s))
+    const auto stays = [&, damping = static_cast<long double>(zeta)](double s) {
+        for (const auto& multiplier :
+             detail::multipliers(method, damping, static_cast<long double>(s)))
             if (!(std::abs(multiplier) <= 1 + 1e-14L)) return false;
         return true;
     };

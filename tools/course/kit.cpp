@@ -29,7 +29,7 @@ const std::vector<Part> parts{
     {"docs/library", {".cpp"}},
     {"engines", {".cpp", ".hpp", ".h", ".c", ".cmake", ".patch", "CMakeLists.txt"}},
     {"include", {".hpp", ".h"}},
-    {"tools/advise", {".cpp", ".hpp", "CMakeLists.txt"}},
+    {"tools/advise", {".cpp", ".hpp", ".cmake", ".txt"}},
     {"tools/bench", {".cpp", ".hpp", ".cmake", "CMakeLists.txt"}},
     {"tools/checker/learner", {".hpp"}},
     {"tools/cmake", {".cmake", ".sh"}},
