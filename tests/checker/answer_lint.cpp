@@ -15,14 +15,13 @@ TEST_CASE("a quotient of whole numbers that leaves a rest is told with its line"
     CHECK(divided_whole_numbers("x;\ny = 1 / 2;", declared).starts_with("Line 2 divides whole numbers"));
     CHECK(divided_whole_numbers("1 / swings", declared).find("1 / swings has lost what is behind the point") !=
           std::string::npos);
-    CHECK(divided_whole_numbers("1 / (swings + 1)", declared).find("1.0 / (swings + 1)") != std::string::npos);
 }
 
 TEST_CASE("no other quotient is") {
     const std::string declared = "double zeta_from_swings(double first, double later, int swings)";
     for (const char* code :
-         {"4 / 2", "h + 1.0 / 2", "1 / 2.0", "h * 1 / 2", "1 / h", "x1 / 2", "2 / 1e3", "h // 1/2", "later / swings",
-          "swings / 2", "1 / (first - swings)", "double swings; 1 / swings", "1 / 0"})
+         {"4 / 2", "h + 1.0 / 2", ".5 / 2", "1e-1 / 2", "1 / 2.0", "h * 1 / 2", "1 / h", "x1 / 2", "2 / 1e3",
+          "h // 1/2", "later / swings", "swings / 2", "double swings; 1 / swings", "1 / 0"})
         CHECK(divided_whole_numbers(code, declared).empty());
 }
 
@@ -34,23 +33,7 @@ TEST_CASE("auto keeps an expression, but neither a lambda nor a list of names") 
     CHECK_FALSE(keeps_by_auto("for (const auto x : all) {} // auto y = x * 2;"));
 }
 
-TEST_CASE("a definition that the checker cannot call is told why") {
-    const auto why = [](const std::string& code) { return uncallable_definition(code, "f"); };
-    CHECK(why("static double f(double x) { return x; }").starts_with("but it is static"));
-    CHECK(why("inline double f(double x) { return x; }").starts_with("but it is inline"));
-    CHECK(why("constexpr double f(double x) { return x; }").starts_with("but it is constexpr"));
-    CHECK(why("template <class T>\nT f(T x) { return x; }").starts_with("but it is a template"));
-    CHECK(why("double f(auto x) { return x; }").starts_with("but it is a template"));
-    CHECK(why("namespace mine { double g(); double f(double x) { return x; } }")
-              .starts_with("but in the namespace mine."));
-    CHECK(why("namespace { double f(double x) { return x; } }").starts_with("but in a namespace without a name."));
-    CHECK(why("struct Frames { static double f(double x) { return x; } };").starts_with("but as a part of Frames."));
-    CHECK(why("static double g(double x) { return f(x); }\ndouble f(double x) { return x; }").empty());
-    CHECK(why("// static\ndouble f(double x);").empty());
-}
-
-TEST_CASE("UTF-16 is told from other text") {
-    CHECK(is_utf16("\xff\xfe"));
-    CHECK(is_utf16(std::string("d\0o\0u\0b\0l\0e\0", 12)));
-    CHECK_FALSE(is_utf16("double f() { return 0; }"));
+TEST_CASE("a text of many letters is read") {
+    CHECK_FALSE(keeps_by_auto("auto " + std::string(60'000, 'x')));
+    CHECK(divided_whole_numbers(std::string(60'000, '1') + "/2", "").empty());
 }

@@ -7,7 +7,7 @@ set(checker "${PROJECT_SOURCE_DIR}/tools/checker")
 set(course "${PROJECT_SOURCE_DIR}/tools/course")
 
 add_library(checks_in_process OBJECT EXCLUDE_FROM_ALL ${TIMESTEP_JUDGE} ${checker}/check_in_process.cpp ${checker}/reporter.cpp
-  ${course}/exercises.cpp ${course}/files.cpp ${course}/read_json.cpp ${course}/misconception.cpp
+  ${course}/exercises.cpp ${course}/files.cpp ${course}/misconception.cpp
   ${course}/paths.cpp ${course}/answer_lint.cpp ${course}/verdict_text.cpp ${course}/terminal.cpp)
 target_link_libraries(checks_in_process PUBLIC timestep Catch2::Catch2 PRIVATE nlohmann_json::nlohmann_json timestep_warnings)
 target_include_directories(checks_in_process PUBLIC ${checker} ${checker}/learner ${checker}/slips "${generated}" PRIVATE ${course})

@@ -40,7 +40,7 @@ test_a_class_gets_its_verdicts() {
     refused letters 'Velocity_Now.CPP must be named velocity_now.cpp, in exactly these letters: rename it'
     refused text 'velocity_now.txt does not have the name of a C++ file: rename it to velocity_now.cpp'
     says out 'velocity_now: exercises/01_derivatives/velocity_now.cpp is graded, velocity_now.cpp is left out'
-    says out 'Left out: .DS_Store, .git'
+    says out 'Left out: .DS_Store, .git, __MACOSX'
     says out '3 of 14 right, 14 submissions'
     says class.grades/grades.csv '"alice",1,1,pass'
     [ ! -e class.grades/results.json ] || fail 'a class has results.json'
@@ -122,35 +122,6 @@ CODE
     case $(says_of erin) in *"sees $HOME/secret"*) ;; *) fail 'a trusted submission sees nothing' ;; esac
 }
 
-# The hidden tests hold the course's own answer as machine code. Who can open them can call it; in a grading nobody can.
-test_the_courses_own_answer_cannot_be_called() {
-    needs_isolation
-    command -v nm >/dev/null || exit 77
-    hidden=$real_build/exercises/hidden/velocity_now
-    place=$(nm -C "$hidden" | sed -n 's/^0*\([0-9a-f]*\) t (anonymous namespace)::solution::velocity_now(.*/\1/p')
-    [ -n "$place" ] || fail 'the hidden tests do not hold the answer: this tests nothing'
-    mkdir class/gus
-    cat >class/gus/velocity_now.cpp <<CODE
-#include "exercise.hpp"
-#include <cstdio>
-#include <fcntl.h>
-#include <sys/mman.h>
-double velocity_now(double x0, double x1, double x2, double h) {
-    static const int file = open("$hidden", O_RDONLY);
-    if (file < 0) std::perror("the hidden tests");
-    static void* const all = file < 0 ? MAP_FAILED : mmap(nullptr, 1 << 20, PROT_READ | PROT_EXEC, MAP_PRIVATE, file, 0);
-    if (all == MAP_FAILED) return 0;
-    return reinterpret_cast<double (*)(double, double, double, double)>(static_cast<char*>(all) + 0x$place)(x0, x1, x2, h);
-}
-CODE
-    # As it is bought where nothing is shut away: so the way there is the right one.
-    expect 1 course grade class --trust
-    is "gus $(verdict_of gus)" 'gus pass'
-    expect 1 course grade class
-    is "gus $(verdict_of gus)" 'gus wrong'
-    case $(says_of gus) in *'the hidden tests: No such file or directory'*) ;; *) fail "$(says_of gus)" ;; esac
-}
-
 test_a_killed_grading_goes_on_and_loses_nothing() {
     needs_isolation
     for i in 1 2 3 4 5 6; do hand_in "student$i" "$mistake"; done
@@ -173,31 +144,24 @@ test_a_killed_grading_goes_on_and_loses_nothing() {
     says out 'seed 8'
 }
 
+# The seeds of all grades, each once.
+seeds() { sed -n 's/.*"seed": \([0-9]*\).*/\1/p' class.grades/grades.json | sort -u; }
+
 # Who has seen the seed of a grade knows nothing of the next.
 test_a_regrade_draws_anew() {
     needs_isolation
     expect 1 course grade class --seed 7
     is "$(seeds)" 7
-    for again in 1 2; do
-        expect 1 course grade class --again
-        seeds >>all
-    done
-    is "$(sort -u all | grep -c '')" 2
-    [ "$(sort -n all | tail -n 1 | wc -c)" -gt 15 ] || fail "small seeds: $(cat all)"
+    expect 1 course grade class --again
     before=$(seeds)
+    [ "${#before}" -gt 14 ] || fail "a small seed: $before"
     hand_in bob $solved  # handed in anew, and drawn anew
     expect 1 course grade class
     says err ' 2 were graded before'
     is "$(seeds | grep -c '')" 2
-    seeds | grep -qx "$before" || fail 'who was graded before has another seed'
     expect 1 course grade class --seed 7
     silent_on err 'graded before'
-    expect 1 course grade class --seed 7
-    says err ' 3 were graded before'
 }
-
-# The seeds of all grades, each once.
-seeds() { sed -n 's/.*"seed": \([0-9]*\).*/\1/p' class.grades/grades.json | sort -u; }
 
 # The hidden tests of velocity_now are this script.
 hidden_tests_are() {
@@ -270,7 +234,7 @@ test_two_gradings_at_once() {
 test_without_bubblewrap_it_refuses() {
     mkdir none broken
     expect 3 env PATH="$folder/none" $(words) grade class
-    says err 'grade needs bubblewrap (package bubblewrap), which is not here'
+    says err 'grade needs bubblewrap (package bubblewrap), which is missing or cannot work here (bwrap: No such file'
     printf '#!/bin/sh\necho "bwrap: No permissions to creating new namespace"\nexit 1\n' >broken/bwrap
     chmod +x broken/bwrap
     expect 3 env PATH="$folder/broken:$PATH" $(words) grade class

@@ -36,57 +36,19 @@ test_one_answer_beside_students_is_asked_about() {
     done
 }
 
-# A class one folder further down than was named would be one submission, too.
-test_a_class_further_down_is_asked_about() {
-    for name in exercises everybody; do
-        mkdir parent
-        mv class "parent/$name"
-        cp -r "parent/$name" class
-        rm class/bob/velocity_now.cpp
-        : >"parent/$name/notes.txt"
-        expect 2 course grade parent
-        is "$(cat err)" "course: parent: '$name' in it may be a class, with 'alice' and 'bob': if it is, \
-./course grade parent/$name; if it is one submission, ./course grade parent --one"
-        rm -r parent
-        cp $solved class/bob/best_gap.cpp  # other exercises than the first's
-    done
-    # Folders of one's own are no class.
-    mkdir -p one/exercises/01_derivatives one/exercises/02_first_order_form two/drafts/first two/drafts/.second
-    cp $solved one/exercises/01_derivatives
-    cp $stub one/exercises/02_first_order_form
-    cp $solved two/drafts/first
-    cp $solved two/drafts/.second
-    for own in one two; do expect 0 course grade $own --trust; done
-}
-
-# What belongs to one submission is nobody else's: a kit of the course, other exercises, hidden files.
+# What belongs to one submission is nobody else's: other exercises, hidden files, a whole kit.
 test_one_submission_stays_one() {
-    needs_isolation
-    mkdir -p one/.git one/exercises/01_derivatives
+    mkdir -p one/.git one/.kim one/exercises/01_derivatives kit/include/timestep kit/exercises/01_derivatives kit/docs
     cp $solved one/exercises/01_derivatives/velocity_now.cpp
-    expect 0 course grade one
-    for part in chapters docs include/timestep tools kit site build .progress/answers .github/workflows; do
-        mkdir -p "one/$part"
-    done
-    touch one/course one/CMakeLists.txt one/CMakePresets.json one/LICENSE one/README.md one/.gitignore
-    cp $solved one/.progress/answers/velocity_now_1.cpp
-    cp $solved one/tools/main.cpp
-    expect 0 course grade one
-    silent_on out 'README.md'
-    expect 0 course grade one --exercise velocity_now
+    cp $solved kit/exercises/01_derivatives/velocity_now.cpp
     : >one/notes.txt
-    mkdir one/.kim
-    expect 0 course grade one
-    says out 'Left out: .git, .kim, notes.txt'
+    : >kit/course
+    expect 0 course grade one --trust
+    says out 'Left out: .git, .kim'
+    expect 0 course grade kit --trust
     mkdir one/kim
     expect 2 course grade one
     says err "'kim' beside it may be another's"
-    mkdir flat
-    cp $solved flat/velocity_now.cpp
-    # A folder that is called like a part of the course is somebody, where no course is.
-    mkdir flat/kit
-    expect 2 course grade flat
-    says err "'kit' beside it may be another's"
 }
 
 # What a verdict depends on besides the answer, changed: nothing of before counts.

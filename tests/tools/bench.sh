@@ -54,13 +54,6 @@ test_bench_tells_people_and_names_what_is_not_installed() {
     if [ -n "$gnuplot_there" ]; then says there/spring.svg '</svg>'; fi
 }
 
-test_bench_says_what_it_cannot_draw() {
-    printf '#!/bin/sh\necho no\nexit 1\n' >bin/gnuplot
-    chmod +x bin/gnuplot
-    expect 2 course bench --quick --scene spring --out there
-    says err 'spring.svg: could not be drawn'
-}
-
 test_each_set_of_flags_has_a_program_of_its_own() {
     for name in loops_O2 loops_O3_native many_O2 many_O2_native many_O3_native; do
         printf '#!/bin/sh\necho %s\n' $name >build/tools/bench/bench_$name

@@ -4,29 +4,24 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/expect.sh"
 . "$here/fixture.sh"
 
-test_bad_use_is_one_line_in_our_words_and_status_2() {
+test_bad_use_is_one_line_and_status_2() {
     while IFS='|' read -r words told; do
         # shellcheck disable=SC2086
         expect 2 course $words
         is "$words: $(cat err)" "$words: course: $told"
         is "$(lines out)" 0
     done <<'END'
-turo|./course does not take 'turo' (./course --help)
---json|./course has no option --json (./course --help)
-list 3|list does not take '3' (./course list --help)
-list --json=maybe|--json takes no value (./course list --help)
-check --sed 3|check has no option --sed (./course check --help)
+--json|A subcommand is required (./course --help)
+list 3|The following argument was not expected: 3 (./course list --help)
+list --json=maybe|Could not convert: --json = maybe (./course list --help)
+check --sed 3|The following argument was not expected: --sed (./course check --help)
 run|CHAPTER is required (./course run --help)
 run 3 --omega 20|run has no option --omega; those of the chapter's study go after --: ./course run 3 --study -- --omega 20
 tour -- --step|only run takes options for a chapter's program after --
-new|new takes chapter or exercise (./course new --help)
-kit|DIR is required (./course kit --help)
-bench lattency|bench does not take 'lattency' (./course bench --help)
-bench --scene|--scene needs a value, NAME (./course bench --help)
-advise --omega abc|--omega = abc: it takes numbers (./course advise --help)
-advise --spin 1,2|--spin needs 3 values, with commas between (./course advise --help)
-grade class --jobs 0|--jobs 0: must be a whole number from 1 to 256 (./course grade --help)
-site --pdf --open|--open and --pdf do not go together (./course site --help)
+bench --scene|--scene: 1 required NAME missing (./course bench --help)
+advise --spin 1,2|--spin: At least 3 required but received 2 (./course advise --help)
+grade class --jobs 0|--jobs: Value 0 not in range 1 to 256 (./course grade --help)
+site --pdf --open|--open excludes --pdf (./course site --help)
 END
     mkdir -p source/tests/exercises
     cp -r "${source_of_door%/course}/tests/exercises/01_derivatives" source/tests/exercises

@@ -168,23 +168,6 @@ test_a_place_where_nothing_can_be_built_is_refused() {
     expect 7 env -i PATH="$folder/bin" COURSE_PLACES="$folder/usr" sh "./$name/checkout/course" list
 }
 
-test_files_from_the_future_are_dated_now() {
-    new_machine 0
-    have_all
-    make_sources
-    touch -d '+1 day' checkout/CMakeLists.txt checkout/tools/course/main.cpp
-    expect 7 course list
-    is "$(grep -c 'dated in the future; their date is set to now' err)" 1
-    : >now
-    is "$(find checkout -newer now)" ''
-    touch -d '+1 day' checkout/build/CMakeCache.txt  # a clock that was set back: CMake writes it afresh
-    touch checkout/course
-    : >calls
-    expect 7 course list
-    silent_on err future
-    says calls --fresh
-}
-
 test_a_build_that_cannot_be_made_says_why() {
     new_machine 0
     have_all

@@ -184,19 +184,21 @@ foreach(source IN LISTS MISUSES)
   compile_misuse("${source}")
 endforeach()
 
-file(REMOVE "${OUT}/made_from.txt")  # as long as old and new stand side by side
-file(GLOB old "${OUT}/*.dat" "${OUT}/*.tsv" "${OUT}/*.svg" "${OUT}/*.gif")
-if(old)
-  file(REMOVE ${old})
+if(NOT DEFINED COMPLAINT)  # a reader's folder may hold files of the reader's own
+  file(REMOVE "${OUT}/made_from.txt")  # as long as old and new stand side by side
+  file(GLOB old "${OUT}/*.dat" "${OUT}/*.tsv" "${OUT}/*.svg" "${OUT}/*.gif")
+  if(old)
+    file(REMOVE ${old})
+  endif()
+  file(REMOVE_RECURSE "${OUT}/narrow")
 endif()
-file(REMOVE_RECURSE "${OUT}/narrow")
 file(GLOB made RELATIVE "${work}" "${work}/*")
 foreach(file IN LISTS made)  # moving takes no space: a full disk cannot stop it half-way
   file(RENAME "${work}/${file}" "${OUT}/${file}")
   string(APPEND made_from "left ${file}\n")
 endforeach()
+file(REMOVE_RECURSE "${work}")
 if(NOT DEFINED COMPLAINT)
   file(WRITE "${OUT}/made_from.txt" "${made_from}")
+  file(TOUCH "${OUT}/done")
 endif()
-file(REMOVE_RECURSE "${work}")
-file(TOUCH "${OUT}/done")

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <sstream>
 #include <thread>
 
 #include <unistd.h>
@@ -149,29 +150,6 @@ bool is_ready(const Exercise& exercise) {
            all_there(exercise);
 }
 
-// CMake's first error. CMake breaks it into lines, indents them by two, and ends it with an empty line or a call stack.
-class FirstError {
-public:
-    void hear(const std::string& line) {
-        if (!begun_ && line.starts_with("CMake Error")) {
-            begun_ = true;
-            if (line.starts_with("CMake Error: ")) text_ = line.substr(13);
-        } else if (begun_ && !ended_) {
-            ended_ = (line.empty() && !text_.empty()) || line.starts_with("Call Stack");
-            const auto words = line.find_first_not_of(' ');
-            if (!ended_ && words != std::string::npos) text_ += (text_.empty() ? "" : " ") + line.substr(words);
-        }
-    }
-    // Its first sentence; CMake puts two blanks before the next.
-    std::string text() const {
-        return text_.empty() ? "CMake could not configure the build" : text_.substr(0, text_.find(".  "));
-    }
-
-private:
-    bool begun_ = false, ended_ = false;
-    std::string text_;
-};
-
 const char* const other_builds = "Another ./course is building here; this goes on when it has done";
 
 }  // namespace
@@ -246,20 +224,6 @@ void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) 
     mark_ready(marks, found_by(), begin);
 }
 
-void make_again(const std::vector<Exercise>& exercises, bool header, ProgressLine& progress) {
-    progress.say("The files for checking " + exercises.front().name + " are damaged; building them again");
-    std::error_code ignored;
-    const std::string build = paths().build.string() + "/";  // what a learner's edition brings stays
-    for (const Exercise& exercise : exercises) {
-        auto parts = parts_of_check(exercise);
-        if (header) parts.erase(parts.begin(), parts.end() - 1);
-        for (const fs::path& part : parts)
-            if (part.string().starts_with(build)) fs::remove(part, ignored);
-        fs::remove(ready_mark(exercise), ignored);
-    }
-    make_ready(exercises, progress);
-}
-
 std::string address_of(const fs::path& page) {
     std::string address = "file://";
     for (const char c : page.string()) {
@@ -276,12 +240,28 @@ std::string site_address() {
     return address_of(is_kit() ? paths().source / "site/index.html" : paths().build / "site/html/index.html");
 }
 
+// CMake breaks an error into lines, indents them by two, and ends it with an empty line or a call stack; it puts two
+// blanks before the second sentence.
+std::string cmake_error(const std::string& said) {
+    std::istringstream lines(said.substr(std::min(said.find("CMake Error"), said.size())));
+    std::string words, line;
+    std::getline(lines, line);
+    if (line.starts_with("CMake Error: ")) words = line.substr(13);
+    while (std::getline(lines, line) && !line.starts_with("Call Stack") &&
+           (!line.empty() || words.empty() || words.ends_with(":")))
+        if (const auto begin = line.find_first_not_of(' '); begin != std::string::npos)
+            words += (words.empty() ? "" : " ") + line.substr(begin);
+    return words.substr(0, words.find(".  "));
+}
+
 void configure() {
     const Lock one_at_a_time(paths().build / "course.lock", other_builds);
-    FirstError error;
-    Lines lines([&](const std::string& line) { error.hear(line); });
-    if (listen({paths().cmake, "-S", paths().source.string(), "-B", paths().build.string()}, std::ref(lines)) != 0)
-        throw Stop(Status::bad_use, error.text());
+    std::string said;
+    if (listen({paths().cmake, "-S", paths().source.string(), "-B", paths().build.string()},
+               [&](std::string_view text) { said += text; }) == 0)
+        return;
+    const std::string error = cmake_error(said);
+    throw Stop(Status::bad_use, error.empty() ? "CMake could not configure the build" : error);
 }
 
 }  // namespace course

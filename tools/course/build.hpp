@@ -19,9 +19,6 @@ void build(const std::vector<std::string>& targets, ProgressLine& progress, cons
 /// Builds what a check of these exercises needs, unless nothing has changed since it was last built.
 void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress);
 
-/// Deletes and builds again what a check of these exercises needs: the precompiled header only, or everything.
-void make_again(const std::vector<Exercise>& exercises, bool header, ProgressLine& progress);
-
 /// The address of the site's first page, as a browser takes it.
 std::string site_address();
 /// A file's address, as a browser takes it.
@@ -30,5 +27,8 @@ std::string address_of(const std::filesystem::path& page);
 /// Runs CMake, which writes the files of exercises/ among others. Throws Stop(bad_use) with its first error, in one
 /// line.
 void configure();
+
+/// CMake's first error in what it has said, in one line and without the place in our scripts; "" if there is none.
+std::string cmake_error(const std::string& said);
 
 }  // namespace course

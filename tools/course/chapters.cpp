@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "read_json.hpp"
+#include <nlohmann/json.hpp>
 
 #include "files.hpp"
 #include "paths.hpp"
@@ -25,7 +25,7 @@ Chapter read_chapter(const fs::path& folder) {
     const fs::path about = folder / "about.json";
     const std::string name = folder.filename().string();
     try {
-        const auto json = read_json(contents(about));
+        const auto json = nlohmann::json::parse(contents(about));
         const std::string picture = json.at("picture");
         return {name,
                 name.substr(3),

@@ -29,20 +29,6 @@ void bring_up_to_date(const std::vector<Exercise>& exercises) {
     make_ready(exercises, progress);
 }
 
-// If the built files for a check are damaged, they are built again, once.
-Verdict check_or_mend(const Exercise& exercise, const fs::path& file, std::uint64_t seed, bool sanitize = false) {
-    const auto check = [&] {
-        return sanitize ? check_sanitized(exercise, file, seed) : check_file(exercise, file, seed);
-    };
-    try {
-        return check();
-    } catch (const Damaged& damaged) {
-        ProgressLine progress;
-        make_again({exercise}, damaged.header(), progress);
-    }
-    return check();
-}
-
 // The first exercise after this one, round the course, that is still to be done.
 std::optional<Exercise> next_after(const Exercise& exercise) {
     const auto progress = read_progress();
@@ -102,7 +88,7 @@ void check_all(const std::optional<Chapter>& chapter, bool json, const std::opti
         if (state_of(exercise, progress) != "not started") begun.push_back(exercise);
     if (!begun.empty()) bring_up_to_date(begun);
     for (const auto& exercise : begun) {
-        const Verdict verdict = check_or_mend(exercise, exercise.file(), seed_or_new(seed));
+        const Verdict verdict = check_file(exercise, exercise.file(), seed_or_new(seed));
         list += (checked++ > 0 ? ",\n " : "") + as_json(exercise, verdict);
         course_error = course_error || verdict.kind == "course_error";
         if (verdict.kind == "pass")
@@ -144,7 +130,8 @@ void check(const std::string& name, const std::optional<std::string>& file, bool
     const fs::path answer = file ? fs::path(*file) : exercise.file();
     answer_in(exercise, answer);  // or one clear line, before anything is built
     bring_up_to_date({exercise});
-    Verdict verdict = check_or_mend(exercise, answer, seed_or_new(seed), sanitize);
+    Verdict verdict = sanitize ? check_sanitized(exercise, answer, seed_or_new(seed))
+                               : check_file(exercise, answer, seed_or_new(seed));
     verdict.watched = sanitize;
     if (verdict.kind == "pass" && !file) remember_pass(exercise);
     if (json)
@@ -183,7 +170,7 @@ void watch(const std::string& name) {
         const auto seen = saved();  // before the check: what is saved during it counts
         if (on_terminal()) std::printf("\033[2J\033[H");
         try {
-            const Verdict verdict = check_or_mend(*exercise, exercise->file(), seed_or_new({}));
+            const Verdict verdict = check_file(*exercise, exercise->file(), new_seed());
             std::printf("%s%s", told_and_marked(*exercise, verdict, exercise->file()).c_str(),
                         way_on(*exercise, verdict).c_str());
             if (verdict.kind == "pass") {

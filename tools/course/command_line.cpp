@@ -1,18 +1,13 @@
-#include "command_line.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "commands.hpp"
-#include "option_errors.hpp"
 #include "question.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
@@ -53,7 +48,9 @@ void declare_advise(CLI::App& app, Asked& asked) {
     const auto advise = app.add_subcommand("advise", "will it blow up? Every method on your numbers");
     timestep::Question& question = asked.question;
     const auto number = [&](const char* flag, auto& value, const char* unit, const char* words) {
-        advise->add_option(flag, value, words)->type_name(unit)->check(no_double);
+        advise->add_option(flag, value, words)->type_name(unit)->check([](const std::string& word) {
+            return word.empty() ? "'' is no number" : "";  // CLI11 takes it for a missing word
+        });
     };
     number("--omega", question.omega, "RAD/S", "angular frequency of a spring, or:");
     number("--stiffness", question.stiffness, "N/M", "its stiffness, with --mass");
@@ -62,7 +59,7 @@ void declare_advise(CLI::App& app, Asked& asked) {
     number("--damping", question.damping, "N*S/M",
            "the damper, with --stiffness and --mass; with --mass only: a damper alone");
     const auto three = [&](const char* flag, auto& value, const char* unit, const char* words) {
-        advise->add_option(flag, value, words)->type_name(unit)->delimiter(',')->expected(3)->check(no_double);
+        advise->add_option(flag, value, words)->type_name(unit)->delimiter(',')->expected(3);
     };
     three("--inertia", question.inertia, "A,B,C", "a spinning body's three moments, kg m², with --spin");
     three("--spin", question.spin, "X,Y,Z", "its angular velocity, rad/s");
@@ -71,8 +68,7 @@ void declare_advise(CLI::App& app, Asked& asked) {
     advise->add_option("--frames", question.frames, "or frames of uneven length: the shortest and the longest, s")
         ->type_name("SHORTEST,LONGEST")
         ->delimiter(',')
-        ->expected(2)
-        ->check(no_double);
+        ->expected(2);
     number("--accuracy", question.accuracy, "PERCENT",
            "recommend the cheapest method with at most this error in the first period; without it the list decides, "
            "and the table uses 1");
@@ -217,28 +213,19 @@ std::optional<std::uint64_t> seed_from(const std::optional<std::string>& given) 
     return seed;
 }
 
-// The command line can be read by the code that is checked.
-void blank_seed(int argc, char** argv) {
-    for (int i = 1; i < argc; ++i) {
-        const std::string_view word = argv[i];
-        if (word == "--seed" && i + 1 < argc)
-            std::fill_n(argv[i + 1], std::strlen(argv[i + 1]), ' ');
-        else if (word.starts_with("--seed="))
-            std::fill(argv[i] + 7, argv[i] + word.size(), ' ');
+// CLI11's first line, and where there is more; for a study's option without -- before it, what to type instead.
+std::string refusal(const CLI::ParseError& error, const CLI::App& app, const std::string& chapter) {
+    const std::vector<std::string> words = app.remaining(true);
+    if (app.got_subcommand("run") && !chapter.empty() && !words.empty() && words.front().starts_with("--")) {
+        std::string line = "./course run " + chapter + " --study --";
+        for (const auto& word : words) line += " " + word;
+        return "run has no option " + words.front() + "; those of the chapter's study go after --: " + line;
     }
-}
-
-// A row of numbers with one missing: CLI11 would read the next option in its place.
-void check_rows(int argc, char** argv) {
-    for (int i = 1; i < argc; ++i)
-        for (const std::string option : {"--frames", "--inertia", "--spin"}) {
-            std::string row = argv[i] == option && i + 1 < argc ? option + "=" + argv[i + 1] : std::string(argv[i]);
-            if (!row.starts_with(option + "=")) continue;
-            row.erase(0, option.size() + 1);
-            if (row.empty() || row.front() == ',' || row.back() == ',' || row.find(",,") != std::string::npos)
-                throw Stop(Status::bad_use, option + " = '" + sanitized_line(row) +
-                                                "': a number must stand on both sides of each comma");
-        }
+    std::string command = "./course";
+    for (auto named = app.get_subcommands(); !named.empty(); named = named.front()->get_subcommands())
+        command += " " + named.front()->get_name();
+    const std::string said = error.what();
+    return said.substr(0, said.find('\n')) + " (" + command + " --help)";
 }
 
 void bench_or_table(const CLI::App& bench, Asked& asked) {
@@ -271,22 +258,14 @@ Status obey(int argc, char** argv) {
 
     CLI::App app("Timestep: numerical methods for game physics, by building them.", "./course");
     declare(app, asked);
-    if (argc > 1 && argv[1] == std::string("advise")) check_rows(static_cast<int>(end - argv), argv);
     try {
         app.parse(static_cast<int>(end - argv), argv);
-    } catch (const CLI::ExtrasError& error) {
-        std::string hint;
-        if (app.got_subcommand("run")) hint = forgotten_dashes(app, asked.chapter);
-        throw Stop(Status::bad_use, hint.empty() ? in_our_words(error, app) + see_help(app) : hint);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) {  // --help
-            app.exit(error);
-            return Status::fine;
-        }
-        throw Stop(Status::bad_use, in_our_words(error, app) + see_help(app));
+        if (error.get_exit_code() != 0) throw Stop(Status::bad_use, refusal(error, app, asked.chapter));
+        app.exit(error);  // --help
+        return Status::fine;
     }
 
-    blank_seed(static_cast<int>(end - argv), argv);
     if (!app.got_subcommand("run") && !asked.chapter_options.empty())
         throw Stop(Status::bad_use, "only run takes options for a chapter's program after --");
     if (app.got_subcommand("tour")) tour();

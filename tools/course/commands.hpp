@@ -7,11 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "stop.hpp"
+
 namespace timestep {
 struct Question;
 }
 
 namespace course {
+
+/// Reads the command line and does what it asks. Throws Stop where it cannot.
+Status obey(int argc, char** argv);
 
 /// The chapters and their exercises: for people, or as JSON for programs.
 void list(bool json);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "read_json.hpp"
+#include <nlohmann/json.hpp>
 
 #include "terminal.hpp"
 #include "paths.hpp"
@@ -20,7 +20,7 @@ fs::path told_of_all() { return paths().source / (is_kit() ? "kit/about" : "test
 Exercise read_exercise(const fs::path& about) {
     const fs::path folder = about.parent_path();
     try {
-        const auto json = read_json(contents(about));
+        const auto json = nlohmann::json::parse(contents(about));
         Exercise exercise;
         exercise.name = folder.filename().string();
         exercise.chapter = folder.parent_path().filename().string();
@@ -54,7 +54,7 @@ std::map<std::string, Misconception> Exercise::mistakes() const {
     const fs::path file = told();
     try {
         std::map<std::string, Misconception> known;
-        const auto json = read_json(contents(file));
+        const auto json = nlohmann::json::parse(contents(file));
         for (const auto& [mistake, words] : json.items()) known[mistake] = {words.at("says"), words.at("hint")};
         return known;
     } catch (const nlohmann::json::exception& error) {

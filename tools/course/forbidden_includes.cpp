@@ -1,10 +1,13 @@
-#include "forbidden_includes.hpp"
+// Does an answer include the course's answers, tests or library?
 
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <vector>
 
 #include "paths.hpp"
+#include "terminal.hpp"
+#include "verdict.hpp"
 
 namespace course {
 
@@ -15,19 +18,13 @@ namespace {
 // The names in a list for make, where a backslash stands before a blank and before #, and $ stands twice.
 std::vector<std::string> names_in(const fs::path& list) {
     std::ifstream stream(list);
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    std::vector<std::string> names(1);
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char next = i + 1 < text.size() ? text[i + 1] : '\n';
-        const bool is_quoted =
-            (text[i] == '\\' && (next == ' ' || next == '#' || next == '\t')) || (text[i] == '$' && next == '$');
-        if (is_quoted)
-            names.back() += text[++i];
-        else if (text[i] == ' ' || text[i] == '\n')
-            names.emplace_back();
-        else
-            names.back() += text[i];
-    }
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::string blank = "\1";
+    for (const auto& [quoted, sign] : {std::pair{"\\ ", blank.c_str()}, {"\\#", "#"}, {"$$", "$"}})
+        replace_all(text, quoted, sign);
+    std::istringstream words(text);
+    std::vector<std::string> names;
+    for (std::string name; words >> name; names.push_back(name)) replace_all(name, blank, " ");
     return names;
 }
 

@@ -6,13 +6,10 @@
 #include <exception>
 #include <fstream>
 #include <functional>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <thread>
-
-#include <unistd.h>
 
 #include "build.hpp"
 #include "commands.hpp"
@@ -53,31 +50,7 @@ std::string edition(const std::vector<Exercise>& exercises) {
     return mark_of(all);
 }
 
-// The folder for the grades, locked as long as this lives.
-class Desk {
-public:
-    explicit Desk(const fs::path& folder) : folder_(folder) {
-        std::error_code error;
-        fs::create_directories(folder, error);
-        if (error || !fs::is_directory(folder))
-            throw Stop(Status::bad_use, in_one_line(folder.string()) + ": cannot be written" +
-                                            (error ? " (" + error.message() + ")" : ""));
-        // A grading that was killed a moment ago may still be tidying up.
-        for (int look = 0; look < 100 && Lock::is_held(folder / "lock"); ++look) usleep(100'000);
-        if (Lock::is_held(folder / "lock"))
-            throw Stop(Status::bad_use,
-                       in_one_line(folder.string()) + ": another grading writes there; --out takes another folder");
-        lock_.emplace(folder / "lock");
-    }
-    fs::path operator/(const char* file) const { return folder_ / file; }
-    const fs::path& folder() const { return folder_; }
-
-private:
-    fs::path folder_;
-    std::optional<Lock> lock_;
-};
-
-// It must not be inside the folder that is graded, which is the learners'.
+// The folder for the grades. It must not be inside the folder that is graded, which is the learners'.
 fs::path desk_for(const Grading& grading) {
     std::error_code ignored;
     const fs::path place = fs::canonical(grading.place, ignored);
@@ -88,6 +61,14 @@ fs::path desk_for(const Grading& grading) {
         throw Stop(Status::bad_use, in_one_line(desk.string()) +
                                         ": the grades would lie among the submissions; --out takes "
                                         "another folder");
+    std::error_code error;
+    fs::create_directories(desk, error);
+    if (error || !fs::is_directory(desk))
+        throw Stop(Status::bad_use,
+                   in_one_line(desk.string()) + ": cannot be written" + (error ? " (" + error.message() + ")" : ""));
+    if (Lock::is_held(desk / "lock"))
+        throw Stop(Status::bad_use,
+                   in_one_line(desk.string()) + ": another grading writes there; --out takes another folder");
     return desk;
 }
 
@@ -107,8 +88,8 @@ std::vector<Exercise> asked_for(const Grading& grading) {
 struct Pile {
     std::vector<Exercise> exercises;
     std::vector<Submission> submissions;
-    std::vector<HandedIn> answers;
-    std::vector<std::string> left_out = {};  // names of files that are no submission
+    std::vector<HandedIn> answers = {};
+    std::set<std::string> left_out = {};  // names of files that are no submission
 
     const Submission& submission(std::size_t i) const { return submissions[i / exercises.size()]; }
     const Exercise& exercise(std::size_t i) const { return exercises[i % exercises.size()]; }
@@ -116,42 +97,28 @@ struct Pile {
 
 // Leaves out the exercises that nobody has handed in, unless they were asked for.
 Pile gather(const Grading& grading) {
-    Pile all{asked_for(grading), {}, {}};
-    Submissions found = find_submissions(grading.place, all.exercises, grading.one);
-    all.submissions = std::move(found.all);
-    all.left_out = std::move(found.left_out);
-    std::map<std::string, std::vector<std::string>> inside;  // what is left out of submissions, by its own name
-    for (const Submission& submission : all.submissions) {
-        Answers answers = collect_answers(submission, all.exercises);
-        for (HandedIn& answer : answers.all) all.answers.push_back(std::move(answer));
-        for (const std::string& place : answers.left_out) {
-            const std::string name = fs::path(place).filename().string();
-            const bool told = found.itself && std::count(all.left_out.begin(), all.left_out.end(), place) > 0;
-            if (!told)
-                inside[name.starts_with("._") ? "._*" : name].push_back(found.itself ? place
-                                                                                     : submission.name + "/" + place);
-        }
+    const std::vector<Exercise> exercises = asked_for(grading);
+    const Submissions found = find_submissions(grading.place, exercises, grading.one);
+    Pile pile{{}, found.all, {}, {found.left_out.begin(), found.left_out.end()}};
+    std::vector<Answers> rows;
+    for (const Submission& submission : pile.submissions) {
+        rows.push_back(collect_answers(submission, exercises));
+        pile.left_out.insert(rows.back().left_out.begin(), rows.back().left_out.end());
     }
-    for (const auto& [name, all_of_it] : inside)
-        all.left_out.push_back(all_of_it.size() == 1
-                                   ? all_of_it[0]
-                                   : std::to_string(all_of_it.size()) + " times " + name + " in submissions");
-    if (!grading.exercises.empty()) return all;
-
-    const std::size_t width = all.exercises.size();
-    Pile some{{}, all.submissions, {}, all.left_out};
-    std::vector<bool> is_there(width, false);
-    for (std::size_t i = 0; i < all.answers.size(); ++i)
-        if (!all.answers[i].file.empty() && !all.answers[i].whole) is_there[i % width] = true;
-    for (std::size_t i = 0; i < width; ++i)
-        if (is_there[i]) some.exercises.push_back(all.exercises[i]);
-    for (std::size_t i = 0; i < all.answers.size(); ++i)
-        if (is_there[i % width]) some.answers.push_back(all.answers[i]);
-    if (some.exercises.empty() && !grading.one)
+    std::vector<std::size_t> columns;
+    for (std::size_t i = 0; i < exercises.size(); ++i)
+        if (!grading.exercises.empty() || std::any_of(rows.begin(), rows.end(), [&](const Answers& row) {
+                return !row.all[i].file.empty() && !row.all[i].whole;
+            }))
+            columns.push_back(i);
+    for (const std::size_t i : columns) pile.exercises.push_back(exercises[i]);
+    for (const Answers& row : rows)
+        for (const std::size_t i : columns) pile.answers.push_back(row.all[i]);
+    if (pile.exercises.empty() && !grading.one)
         throw Stop(Status::bad_use, in_one_line(grading.place) +
                                         ": holds no answer: no file has the name of an exercise, like "
                                         "velocity_now.cpp (--exercise says what other files answer)");
-    return some;
+    return pile;
 }
 
 // Checks a copy: a submission is read only once.
@@ -197,11 +164,6 @@ void print(const Pile& pile, const std::vector<Grade>& grades) {
         else if (!grades[i].passed() && grades[i].verdict != "missing")
             std::printf("    %s %s\n", padded(place, 32).c_str(), grades[i].verdict.c_str());
     }
-}
-
-// All words, for one submission.
-void print_in_full(const std::vector<Grade>& grades) {
-    for (const Grade& grade : grades) std::printf("%s\n", grade.says.c_str());
 }
 
 // Does `work` for each of these, in at most `most` threads, and passes the grades to `done`, one at a time, as they
@@ -296,7 +258,8 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
 void grade(const Grading& grading) {
     if (grading.jobs < 0) throw Stop(Status::bad_use, "--jobs must be 1 or more");
     const Pile pile = gather(grading);
-    const Desk desk(desk_for(grading));
+    const fs::path desk = desk_for(grading);
+    const Lock one_at_a_time(desk / "lock");
     std::error_code ignored;
     fs::remove(desk / "results.json", ignored);  // if it is there at the end, it is of this run
     std::optional<Sandbox> sandbox;
@@ -315,22 +278,21 @@ void grade(const Grading& grading) {
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
 
     const bool single = pile.submissions.size() == 1;
-    write_grades(desk.folder(), pile.exercises, grades, single);
+    write_grades(desk, pile.exercises, grades, single);
+    if (!single) print(pile, grades);
     if (single)
-        print_in_full(grades);
-    else
-        print(pile, grades);
+        for (const Grade& grade : grades) std::printf("%s\n", grade.says.c_str());
     const auto passed = std::count_if(grades.begin(), grades.end(), [](const Grade& grade) { return grade.passed(); });
-    for (std::size_t i = 0; i < pile.left_out.size(); ++i)
-        std::printf("%s%s%s", i == 0 ? "\nLeft out: " : ", ", pile.left_out[i].c_str(),
-                    i + 1 == pile.left_out.size() ? "\n" : "");
+    std::string left_out;
+    for (const std::string& name : pile.left_out) left_out += (left_out.empty() ? "" : ", ") + name;
+    if (!left_out.empty()) std::printf("\nLeft out: %s\n", left_out.c_str());
     if (pile.exercises.empty()) std::printf("No file has the name of an exercise, like velocity_now.cpp.\n");
     std::printf(
         "\n%td of %zu right, %zu submission%s, in %.1f s, seed %llu%s; in %s:\n"
         "  grades.csv, grades.json, junit.xml%s\n",
         passed, grades.size(), pile.submissions.size(), single ? "" : "s", taken.count(),
         static_cast<unsigned long long>(seed), grading.trust ? ", without isolation" : "",
-        in_one_line(shown(desk.folder())).c_str(), single ? ", results.json" : "");
+        in_one_line(shown(desk)).c_str(), single ? ", results.json" : "");
     flush();
     const bool failed =
         std::any_of(grades.begin(), grades.end(), [](const Grade& grade) { return grade.could_not_be_checked(); });

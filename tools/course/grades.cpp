@@ -1,19 +1,14 @@
 #include "grades.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <fstream>
 #include <sstream>
-
-#include <fcntl.h>
-#include <unistd.h>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "stop.hpp"
+#include "terminal.hpp"
 
 namespace course {
 
@@ -26,37 +21,20 @@ std::string text_of(const ordered_json& value) {
     return value.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-// Replaces what is not UTF-8; JSON's writer does it.
-std::string clean(const std::string& text) { return ordered_json::parse(text_of(text)).get<std::string>(); }
-
 double thousandths(double seconds) { return std::round(seconds * 1000) / 1000; }
 
-// XML cannot hold most control characters, nor U+FFFE and U+FFFF.
 std::string xml(const std::string& text) {
-    std::string out, readable = clean(text);
-    for (const char* none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
-        for (std::size_t at; (at = readable.find(none)) != std::string::npos;) readable.replace(at, 3, "?");
-    for (const char c : readable) {
-        if (c == '&')
-            out += "&amp;";
-        else if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '"')
-            out += "&quot;";
-        else
-            out += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? '?' : c;
-    }
+    std::string out = sanitized(text);
+    for (const auto& [sign, name] : {std::pair{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}})
+        replace_all(out, sign, name);
     return out;
 }
 
 // A spreadsheet would run text that begins so as a formula: a quote goes before it, and before text that itself begins
 // with that quote.
-std::string csv(const std::string& text) {
-    std::string out = text.find_first_of("=+-@'") == 0 ? "\"'" : "\"";
-    for (const char c : clean(text)) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return out + "\"";
+std::string csv(std::string text) {
+    replace_all(text, "\"", "\"\"");
+    return (text.find_first_of("=+-@'") == 0 ? "\"'" : "\"") + text + "\"";
 }
 
 std::string as_json(const std::vector<Grade>& grades) {
@@ -198,11 +176,8 @@ Journal::Journal(const fs::path& file, const std::string& edition) : file_(file)
         } catch (const ordered_json::exception&) {  // not a line of ours
         }
     write_whole(file, text);
-    out_ = open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-    if (out_ < 0) throw Stop(Status::bad_use, file.string() + ": cannot be written");
+    out_.open(file, std::ios::app);
 }
-
-Journal::~Journal() { close(out_); }
 
 const Grade* Journal::find(const std::string& submission, const std::string& exercise,
                            const std::string& answer) const {
@@ -214,15 +189,15 @@ const Grade* Journal::find(const std::string& submission, const std::string& exe
 }
 
 void Journal::keep(const Grade& grade, const std::string& answer) {
-    const std::string line = line_of({{"submission", grade.submission},
-                                      {"exercise", grade.exercise},
-                                      {"text", mark_of(answer)},
-                                      {"verdict", grade.verdict},
-                                      {"says", grade.says},
-                                      {"seed", grade.seed},
-                                      {"seconds", grade.seconds}});
-    if (write(out_, line.data(), line.size()) != static_cast<ssize_t>(line.size()) || fdatasync(out_) != 0)
-        throw Stop(Status::bad_use, file_.string() + ": cannot be written (" + std::strerror(errno) + ")");
+    out_ << line_of({{"submission", grade.submission},
+                     {"exercise", grade.exercise},
+                     {"text", mark_of(answer)},
+                     {"verdict", grade.verdict},
+                     {"says", grade.says},
+                     {"seed", grade.seed},
+                     {"seconds", grade.seconds}})
+         << std::flush;
+    if (!out_) throw Stop(Status::bad_use, file_.string() + ": cannot be written");
 }
 
 }  // namespace course

@@ -3,6 +3,7 @@
 /// The grades of a run: kept as they come, and written for people and for other programs.
 
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -31,9 +32,6 @@ class Journal {
 public:
     /// Throws Stop(bad_use) if the file cannot be read or written.
     Journal(const std::filesystem::path& file, const std::string& edition);
-    ~Journal();
-    Journal(const Journal&) = delete;
-    Journal& operator=(const Journal&) = delete;
 
     /// The earlier grade of this answer; null if there is none. `answer` is the text of the file. A check that failed
     /// counts as a grade only after `most_failures` failures, so that an answer that breaks the checker is not checked
@@ -47,7 +45,7 @@ private:
     std::filesystem::path file_;
     std::map<std::string, Grade> known_;  // by submission, exercise and text
     std::map<std::string, int> failures_;
-    int out_ = -1;
+    std::ofstream out_;
 };
 
 /// A hash of a text.

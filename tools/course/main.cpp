@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "command_line.hpp"
+#include "commands.hpp"
 #include "terminal.hpp"
 
 int main(int argc, char** argv) {

@@ -1,4 +1,4 @@
-#include "misconception.hpp"
+#include "verdict_text.hpp"
 
 #include <map>
 #include <vector>

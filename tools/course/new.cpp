@@ -4,8 +4,6 @@
 #include <cstdio>
 #include <utility>
 
-#include <dlfcn.h>
-
 #include "build.hpp"
 #include "chapters.hpp"
 #include "commands.hpp"
@@ -83,17 +81,9 @@ std::string title_from(std::string name) {
     return name;
 }
 
-// A name that a file, a target of CMake and a function of C++ can have. Whether the build has it already, the build
-// says.
+// A name that a file, a target of CMake and a function can have. The build refuses the words of C++ and the names that
+// it has already.
 void check_name(const std::string& name) {
-    static const std::string words_of_cpp =
-        " alignas alignof and and_eq asm auto bitand bitor bool break case catch char class co_await "
-        "co_return co_yield compl concept const const_cast consteval constexpr constinit continue decltype "
-        "default delete do double dynamic_cast else enum explicit export extern false float for friend goto "
-        "if inline int long main mutable namespace new noexcept not not_eq nullptr operator or or_eq private "
-        "protected public register reinterpret_cast requires return short signed sizeof static static_assert "
-        "static_cast std struct switch template this thread_local throw timestep true try typedef typeid "
-        "typename union unsigned using virtual void volatile wchar_t while xor xor_eq ";
     const auto refuse = [&](const std::string& rule) {
         give_up("'" + shortened(sanitized_line(name), 60) + "': " + rule);
     };
@@ -102,7 +92,6 @@ void check_name(const std::string& name) {
     if (!plain || name.empty() || name.front() < 'a' || name.back() == '_' || name.find("__") != std::string::npos)
         refuse("a name is small letters, digits and single _ between them, and begins with a letter");
     if (name.size() > 40) refuse("a name has at most 40 letters");
-    if (words_of_cpp.find(" " + name + " ") != std::string::npos) refuse("is a word of C++ or of the course");
 }
 
 // Takes it back, and CMake's own files with it, unless it can be built.
@@ -188,7 +177,6 @@ void new_chapter(const std::string& name, bool all) {
 void new_exercise(const std::string& chapter_meant, const std::string& name) {
     if (is_kit()) give_up("this is the learner's edition: exercises are added to the whole course");
     check_name(name);
-    if (dlsym(RTLD_DEFAULT, name.c_str()) != nullptr) give_up("'" + name + "': is a function of C");
     const Chapter chapter = find_chapter(chapter_meant);
     int number = 1;
     for (const auto& exercise : read_exercises()) {

@@ -5,15 +5,14 @@
 #include <cstdio>
 #include <fstream>
 #include <map>
-#include <set>
 #include <sstream>
 
 #include "chapters.hpp"
 #include "commands.hpp"
 #include "files.hpp"
-#include "terminal.hpp"
 #include "paths.hpp"
 #include "stop.hpp"
+#include "terminal.hpp"
 
 namespace course {
 
@@ -21,166 +20,107 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A number, check, data file or figure, and the line that wrote it.
-struct Thing {
-    std::string kind, folder, name, file, words;
-    int line = 0;
-};
-
 // A run, and the folder of its sources.
 struct Run {
     std::string folder;
     fs::path sources, place;
-    std::vector<Thing> things;
 };
 
-std::vector<std::string> cells_of(const std::string& line) {
-    std::vector<std::string> cells;
-    std::istringstream text(line);
-    for (std::string cell; std::getline(text, cell, '\t');) cells.push_back(cell);
-    cells.resize(std::max<std::size_t>(cells.size(), 4));
-    return cells;
+// The run of this folder, or all runs.
+std::vector<Run> runs_meant(const std::string& folder) {
+    std::vector<Run> runs;
+    for (const char* beside : {"instructions", "programs"})
+        if (folder.empty() || folder == beside)
+            runs.push_back(
+                {beside, paths().source / "tools/instruction_counts", paths().build / "chapters" / beside / "run"});
+    if (!folder.empty() && !runs.empty()) return runs;
+    for (const auto& chapter : folder.empty() ? read_chapters() : std::vector{find_chapter(folder)})
+        runs.push_back({chapter.folder, chapter.sources(), chapter.run()});
+    return runs;
 }
 
-// The rows of a table, without its head.
+// The rows of a table of at least four columns, without its head.
 std::vector<std::vector<std::string>> rows_of(const fs::path& file) {
     std::vector<std::vector<std::string>> rows;
     std::ifstream lines(file);
     std::string line;
     std::getline(lines, line);
-    while (std::getline(lines, line)) rows.push_back(cells_of(line));
+    while (std::getline(lines, line)) {
+        std::istringstream cells(line);
+        rows.emplace_back();
+        for (std::string cell; std::getline(cells, cell, '\t');) rows.back().push_back(cell);
+        rows.back().resize(std::max<std::size_t>(rows.back().size(), 4));
+    }
     return rows;
 }
 
-std::string first_line_of(const fs::path& file) {
-    std::ifstream lines(file);
-    std::string line;
-    std::getline(lines, line);
-    std::replace(line.begin(), line.end(), '\t', ' ');
-    return line;
-}
-
-std::string from_root(const fs::path& file) { return fs::relative(file, paths().source).generic_string(); }
-
-// The data of a chapter's program, and figures: no run says which line wrote them, so the line is the first that names
-// them.
-void find_named(Run& run, const std::string& kind, const std::string& name, const char* ending) {
+// "file:number" of each line with this name in the files below `folder` with this ending. The name stands alone there,
+// and `is_used` agrees with the file and the line.
+template <class IsUsed>
+std::vector<std::string> lines_with(const std::string& name, const fs::path& folder, const char* ending,
+                                    const IsUsed& is_used) {
+    std::vector<std::string> found;
     std::error_code none;  // a learner's edition lacks some
-    for (const auto& entry : fs::recursive_directory_iterator(run.sources, none)) {
+    const auto is_of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    for (const auto& entry : fs::recursive_directory_iterator(folder, none)) {
         if (entry.path().extension() != ending) continue;
         std::ifstream lines(entry.path());
         int number = 1;
-        for (std::string line; std::getline(lines, line); ++number)
-            if (line.find("\"" + name + "\"") != std::string::npos) {
-                run.things.push_back({kind, run.folder, name, from_root(entry.path()), "", number});
-                return;
-            }
-    }
-}
-
-void read_things(Run& run) {
-    std::map<std::string, std::string> numbers, checks;
-    for (const auto& row : rows_of(run.place / "numbers.tsv"))
-        numbers[row[0]] = " = " + (row[1].empty() ? "not measured here" : row[1]) +
-                          (row[2].empty() ? "" : " " + row[2]) + ": " + row[3];
-    for (const auto& row : rows_of(run.place / "checks.tsv")) checks[row[0]] = ": " + row[1];
-    for (const auto& row : rows_of(run.place / "places.tsv")) {
-        Thing thing{row[1], run.folder, row[0], row[2].substr(0, row[2].rfind(':')), ""};
-        thing.line = std::atoi(row[2].c_str() + std::min(thing.file.size() + 1, row[2].size()));
-        if (thing.kind == "number") thing.words = numbers[thing.name];
-        if (thing.kind == "check") thing.words = checks[thing.name];
-        if (thing.kind == "data") thing.words = ": " + first_line_of(run.place / thing.name);
-        run.things.push_back(thing);
-    }
-    for (const auto& entry : fs::directory_iterator(run.place)) {
-        const std::string name = entry.path().filename().string();
-        const fs::path ending = entry.path().extension();
-        if (ending == ".svg" || ending == ".gif") find_named(run, "figure", name, ".gp");
-        if (ending == ".dat") find_named(run, "data", name, ".cpp");
-    }
-}
-
-// The run of this folder, or all runs.
-std::vector<Run> runs_meant(const std::string& folder) {
-    std::vector<Run> runs;
-    const fs::path all = paths().build / "chapters";
-    for (const char* beside : {"instructions", "programs"})
-        if (folder.empty() || folder == beside)
-            runs.push_back({beside, paths().source / "tools/instruction_counts", all / beside / "run", {}});
-    if (!folder.empty() && runs.empty()) {
-        const Chapter chapter = find_chapter(folder);
-        return {{chapter.folder, chapter.sources(), chapter.run(), {}}};
-    }
-    if (folder.empty())
-        for (const auto& chapter : read_chapters())
-            runs.push_back({chapter.folder, chapter.sources(), chapter.run(), {}});
-    return runs;
-}
-
-std::string near_name(const std::vector<Run>& runs, const std::string& name) {
-    std::vector<std::string> names;
-    for (const auto& run : runs)
-        for (const auto& thing : run.things) names.push_back(thing.name);
-    const std::string near = nearest(name, names);
-    return near.empty() ? "" : "; near to it: " + near;
-}
-
-// Does the directive {{words}} of this page show the thing? `own` is the run of the page's chapter.
-bool shows(const std::string& words, const std::string& own, const Thing& thing) {
-    std::istringstream text(words.substr(0, words.find(':')));
-    std::string first, reference;
-    text >> first;
-    const bool named = first == "check" || first == "figure" || first == "table" || first == "where";
-    if (!named)
-        reference = first;
-    else
-        text >> reference;
-    if ((first == "check") != (thing.kind == "check")) return false;
-    if (reference.ends_with(".value")) reference.resize(reference.size() - 6);
-    const bool far = reference.find('/') != std::string::npos;
-    return (far ? reference : own + "/" + reference) == thing.folder + "/" + thing.name;
-}
-
-// The lines of pages and plots that use it, by file.
-std::map<std::string, std::set<std::ptrdiff_t>> uses_of(const Thing& thing) {
-    std::map<std::string, std::set<std::ptrdiff_t>> uses;
-    std::error_code none;
-    for (const char* folder : {"chapters", "docs", "engines"})
-        for (const auto& entry : fs::recursive_directory_iterator(paths().source / folder, none)) {
-            const bool page = entry.path().extension() == ".md";
-            const bool drawing = entry.path().extension() == ".gp" && thing.kind == "data";
-            if (!page && !drawing) continue;
-            const std::string text = contents(entry.path()), file = from_root(entry.path());
-            const std::string own = fs::relative(entry.path(), paths().source / "chapters").begin()->string();
-            if (drawing && own != thing.folder) continue;
-            const std::string mark = page ? "{{" : thing.name;
-            for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1)) {
-                const auto end = std::min(text.find("}}", at), text.size());
-                const bool quoted = at > 0 && std::string("\"'").find(text[at - 1]) != std::string::npos;
-                if (page ? !shows(text.substr(at + 2, end - std::min(end, at + 2)), own, thing) : !quoted) continue;
-                uses[file].insert(1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
-            }
+        for (std::string line; std::getline(lines, line); ++number) {
+            const auto at = line.find(name);
+            if (at == std::string::npos || (at > 0 && is_of_name(line[at - 1])) ||
+                is_of_name((line + " ")[at + name.size()]) || !is_used(entry.path(), line))
+                continue;
+            found.push_back(fs::relative(entry.path(), paths().source).generic_string() + ":" + std::to_string(number));
         }
+    }
+    return found;
+}
+
+// Where a page's directive names it, or a plot reads it.
+std::vector<std::string> uses_of(const std::string& name, const Run& run) {
+    std::vector<std::string> uses = lines_with(name, run.sources, ".gp", [](const auto&, const auto&) { return true; });
+    for (const char* folder : {"chapters", "docs", "engines"})
+        for (const auto& use : lines_with(name, paths().source / folder, ".md", [&](const auto&page, const auto&line) {
+                 const bool own = page.string().starts_with(run.sources.string() + "/");
+                 return (line.find("{{") != std::string::npos || line.find("}}") != std::string::npos) &&
+                        (own || line.find(run.folder + "/" + name) != std::string::npos);
+             }))
+            uses.push_back(use);
     return uses;
 }
 
-// Has the source changed since the run, so that the line may have moved?
-bool has_changed(const Thing& thing, const Run& run) {
-    const auto done = written_at(run.place / "done"), written = written_at(paths().source / thing.file);
-    return done && (!written || *written > *done);
-}
-
-const char* words_before(const std::string& kind) {
-    return kind == "check" ? "check " : kind == "data" ? "data file " : kind == "figure" ? "figure " : "";
-}
-
-void print(const Thing& thing, const Run& run) {
-    std::printf("%s:%d\n  %s%s/%s%s\n", thing.file.c_str(), thing.line, words_before(thing.kind), thing.folder.c_str(),
-                thing.name.c_str(), thing.words.c_str());
-    for (const auto& [file, lines] : uses_of(thing))
-        for (const auto line : lines) std::printf("  used at %s:%td\n", file.c_str(), line);
-    if (has_changed(thing, run))
-        std::printf("  (that file has changed since the run: ./course tour brings the run up to date)\n");
+// Prints each number, check, data file and figure of this name, and returns the names of all.
+std::vector<std::string> print_named(const std::string& name, const Run& run) {
+    std::map<std::string, std::string> words;
+    for (const auto& row : rows_of(run.place / "numbers.tsv"))
+        words["number " + row[0]] = " = " + (row[1].empty() ? "not measured here" : row[1]) +
+                                    (row[2].empty() ? "" : " " + row[2]) + ": " + row[3];
+    for (const auto& row : rows_of(run.place / "checks.tsv")) words["check " + row[0]] = ": " + row[1];
+    std::vector<std::string> names;
+    const auto print = [&](const std::string& place, const std::string& kind) {
+        const auto known = words.find(kind + " " + name);
+        std::printf("%s\n  %s %s/%s%s\n", place.c_str(), kind.c_str(), run.folder.c_str(), name.c_str(),
+                    known == words.end() ? "" : known->second.c_str());
+        for (const std::string& use : uses_of(name, run))
+            if (use != place) std::printf("  used at %s\n", use.c_str());
+    };
+    for (const auto& row : rows_of(run.place / "places.tsv")) {
+        names.push_back(row[0]);
+        if (row[0] == name) print(row[2], row[1]);
+    }
+    // No run says which line wrote a figure, or the data of a chapter's program: it is the first that names it.
+    for (const auto& entry : fs::directory_iterator(run.place)) {
+        const fs::path ending = entry.path().extension();
+        const bool is_figure = ending == ".svg" || ending == ".gif";
+        if (!is_figure && ending != ".dat") continue;
+        names.push_back(entry.path().filename().string());
+        if (names.back() != name) continue;
+        const auto lines = lines_with("\"" + name + "\"", run.sources, is_figure ? ".gp" : ".cpp",
+                                      [](const auto&, const auto&) { return true; });
+        if (!lines.empty()) print(lines[0], is_figure ? "figure" : "data");
+    }
+    return names;
 }
 
 }  // namespace
@@ -190,32 +130,26 @@ void where(const std::string& asked) {
     if (name.starts_with("{{") && name.ends_with("}}")) name = name.substr(2, name.size() - 4);
     if (name.ends_with(".value")) name.resize(name.size() - 6);
     const auto slash = name.rfind('/');
-    std::vector<Run> runs = runs_meant(slash == std::string::npos ? "" : name.substr(0, slash));
-    if (slash != std::string::npos) name.erase(0, slash + 1);
+    const std::vector<Run> runs = runs_meant(slash == std::string::npos ? "" : name.substr(0, slash));
+    name.erase(0, slash + 1);
     if (name.empty()) throw Stop(Status::bad_use, "'" + asked + "' names nothing; a name is 03/energy_mean, say");
-    const auto made =
-        std::stable_partition(runs.begin(), runs.end(), [](const Run& run) { return fs::exists(run.place / "done"); });
-    std::vector<Run> missing(made, runs.end());
-    runs.erase(made, runs.end());
-    bool found = false;
-    for (auto& run : runs) {
-        read_things(run);
-        for (const auto& thing : run.things) {
-            if (thing.name != name) continue;
-            if (found) std::printf("\n");
-            print(thing, run);
-            found = true;
-        }
-    }
-    if (found) return;
+    std::vector<std::string> names;
     std::string not_made;
-    for (const auto& run : missing) not_made += (not_made.empty() ? "" : ", ") + run.folder;
+    for (const Run& run : runs) {
+        if (!fs::exists(run.place / "done")) {
+            not_made += (not_made.empty() ? "" : ", ") + run.folder;
+            continue;
+        }
+        for (const std::string& known : print_named(name, run)) names.push_back(known);
+    }
+    if (std::find(names.begin(), names.end(), name) != names.end()) return;
     if (!not_made.empty())
         throw Stop(
             Status::missing,
             "'" + asked + "': no run that was made here has that name; ./course tour makes those of " + not_made);
-    throw Stop(Status::bad_use,
-               "'" + asked + "': no run has a number, check, data file or figure of that name" + near_name(runs, name));
+    const std::string near = nearest(name, names);
+    throw Stop(Status::bad_use, "'" + asked + "': no run has a number, check, data file or figure of that name" +
+                                    (near.empty() ? "" : "; near to it: " + near));
 }
 
 }  // namespace course

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <optional>
 #include <sstream>
 #include <system_error>
 
@@ -18,6 +17,7 @@
 #include "paths.hpp"
 #include "process.hpp"
 #include "stop.hpp"
+#include "terminal.hpp"
 
 namespace course {
 
@@ -25,78 +25,39 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The folder that the reader wants the run in. The run is made in a folder inside it and moved up when it is whole;
-// otherwise nothing of it stays.
-class Destination {
-public:
-    explicit Destination(const fs::path& folder) : folder_(fs::absolute(folder).lexically_normal()) {
-        std::error_code error;
-        for (fs::path path = folder_; !fs::exists(path, error) && path.has_relative_path(); path = path.parent_path())
-            made_.push_back(path);
-        try {
-            fs::create_directories(folder_);
-            unfinished_.emplace(folder_);
-        } catch (const fs::filesystem_error& refused) {
-            tidy();
-            throw Stop(Status::bad_use,
-                       "--out " + folder.string() + ": cannot write there (" + refused.code().message() + ")");
-        }
-    }
-    ~Destination() { tidy(); }
-    Destination(const Destination&) = delete;
-    Destination& operator=(const Destination&) = delete;
-
-    const fs::path& work() const { return unfinished_->path(); }
-
-    // File by file. Moving within one file system takes no space: a full disk cannot stop it.
-    void keep() {
-        fs::remove(work() / "done");  // the build's mark
-        for (const auto& file : fs::directory_iterator(work()))
-            fs::rename(file.path(), folder_ / file.path().filename());
-    }
-
-    // Names the files as the reader knows them, not where they were being made.
-    std::string in_readers_words(std::string text) const {
-        const std::string inner = (work() / ".unfinished_run_").string();
-        for (auto at = text.find(inner); at != std::string::npos; at = text.find(inner)) {
-            auto end = at + inner.size();  // a random word follows
-            while (end < text.size() && std::isalnum(static_cast<unsigned char>(text[end]))) ++end;
-            text.replace(at, end - at, folder_.string());
-        }
-        return text;
-    }
-
-private:
-    void tidy() {
-        unfinished_.reset();
-        std::error_code ignored;
-        for (const auto& path : made_) fs::remove(path, ignored);
-    }
-
-    fs::path folder_;
-    std::vector<fs::path> made_;  // folders that were not there before, innermost first
-    std::optional<UnfinishedFolder> unfinished_;
-};
-
 std::string read(const fs::path& path) {
     std::ifstream file(path);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// A study names its own --help; the reader gets that through ./course.
-std::string with_our_help(std::string text, const Chapter& chapter, const std::string& name) {
-    const std::string help = chapter.program + " --help lists";
-    const auto at = text.find(help);
-    if (at != std::string::npos) text.replace(at, help.size(), "./course run " + name + " --study -- --help lists");
+const char* const unfinished = ".unfinished_run_";  // so run.cmake calls the folder where it makes a run
+
+// Removes what a run that failed or was ended has left, and the folder itself if nothing else is in it.
+void tidy(const fs::path& folder) {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder, ignored))
+        if (entry.path().filename().string().starts_with(unfinished)) fs::remove_all(entry.path(), ignored);
+    fs::remove(folder, ignored);
+}
+
+// A study names its own --help, and files where they were being made; the reader gets both as ./course has them.
+std::string in_readers_words(std::string text, const Chapter& chapter, const std::string& name,
+                             const fs::path& folder) {
+    replace_all(text, chapter.program + " --help lists", "./course run " + name + " --study -- --help lists");
+    for (auto at = text.find(unfinished); at != std::string::npos; at = text.find(unfinished)) {
+        const auto begin = text.rfind(folder.string(), at), end = text.find('/', at);
+        if (begin == std::string::npos || end == std::string::npos) return text;
+        text.replace(begin, end - begin, folder.string());
+    }
     return text;
 }
 
 // A list for CMake.
 std::string cmake_list(const std::vector<std::string>& words) {
     std::string list;
-    for (const auto& word : words) {
-        if (!list.empty()) list += ';';
-        for (const char c : word) list += c == ';' ? std::string("\\;") : std::string(1, c);
+    for (std::string word : words) {
+        replace_all(word, ";", "\\;");
+        list += (list.empty() ? "" : ";") + word;
     }
     return list;
 }
@@ -110,18 +71,6 @@ struct Complaint {
 std::string trimmed(std::string text) {
     while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
     return text;
-}
-
-// CMake's own error, in one line, without the place in our scripts.
-std::string cmake_error(const std::string& error) {
-    std::istringstream lines(error);
-    std::string words;
-    for (std::string line; std::getline(lines >> std::ws, line);) {
-        if (line.starts_with("CMake Error at")) continue;
-        if (!words.empty()) words += ' ';
-        words += trimmed(line);
-    }
-    return words;
 }
 
 fs::path built(const std::string& program) { return paths().build / "chapters" / program; }
@@ -177,16 +126,23 @@ void run(const std::string& name, bool study, const std::optional<std::string>& 
                        "--out belongs before the --: ./course run " + name + " --study --out DIR -- OPTIONS");
     }
 
-    const fs::path folder = out ? fs::path(*out) : paths().build / "runs" / chapter.folder;
-    if (folder.empty()) throw Stop(Status::bad_use, "--out '': must be the name of a folder");
-    Destination destination(folder);
-    const Complaint complaint = make_run(chapter, study, destination.work(), options);
-    if (complaint.status != Status::fine)
-        throw Stop(complaint.status, with_our_help(destination.in_readers_words(complaint.text), chapter, name));
+    if (out && out->empty()) throw Stop(Status::bad_use, "--out '': must be the name of a folder");
+    const fs::path folder = fs::absolute(out ? fs::path(*out) : paths().build / "runs" / chapter.folder);
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error || access(folder.c_str(), W_OK) != 0)
+        throw Stop(Status::bad_use, "--out " + shown(folder) + ": cannot write there (" +
+                                        (error ? error.message() : "no right to") + ")");
+    Complaint complaint;
     try {
-        destination.keep();
-    } catch (const fs::filesystem_error& error) {
-        throw Stop(Status::bad_use, error.what());
+        complaint = make_run(chapter, study, folder, options);
+    } catch (const Stop&) {
+        tidy(folder);
+        throw;
+    }
+    if (complaint.status != Status::fine) {
+        tidy(folder);
+        throw Stop(complaint.status, in_readers_words(complaint.text, chapter, name, folder));
     }
     std::printf("%s", read(folder / (study ? "run.txt" : "program.txt")).c_str());
     if (study)

@@ -47,9 +47,7 @@ public:
     static std::string fault_of(std::vector<std::string> before);
 
 private:
-    std::vector<std::string> walls() const;
-
-    std::string bubblewrap_;
+    static std::vector<std::string> walls();
 };
 
 }  // namespace course

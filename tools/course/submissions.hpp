@@ -34,36 +34,19 @@ struct Answers {
 struct Submissions {
     std::vector<Submission> all;
     std::vector<std::string> left_out = {};
-    bool itself = false;  ///< there is one submission: the place itself
 };
 
-/// The submissions in `place`: `place` itself, if it is a file, holds answers or a folder `exercises`, or is `one` by
-/// the caller's word; otherwise each file and folder in it. Throws Stop(bad_use) if there is none, and if `place` may
-/// be one submission as well as a class.
+/// The submissions in `place`: `place` itself, if it is a file, a whole kit, holds answers or a folder `exercises`, or
+/// is `one` by the caller's word; otherwise each file and folder in it. Throws Stop(bad_use) if there is none, and if
+/// `place` may be one submission as well as a class.
 Submissions find_submissions(const std::filesystem::path& place, const std::vector<Exercise>& exercises, bool one);
 
 /// What a submission holds for each of these exercises: the file exercises/CHAPTER/NAME.cpp anywhere
 /// in it, or the only file NAME.cpp, or of one exercise the only C++ file there is, unless that is named
 /// after another exercise. A submission that is one file is the answer to the only exercise, or to the one
 /// it is named after. No link is followed. Where an answer lies only in a folder that is left out, or only by its name
-/// in other letters or with another ending, it is refused, with the reason; and beside an answer it is named. For .cpp
-/// there may be .cc, .cxx or .c++. (collect_answers.cpp)
+/// in other letters or with another ending, it is refused, with the reason. For .cpp there may be .cc, .cxx or .c++.
 Answers collect_answers(const Submission& submission, const std::vector<Exercise>& exercises);
-
-/// All exercises of the course.
-const std::vector<Exercise>& all_exercises();
-
-/// Is it a file or folder that version control, file managers or archives leave behind?
-bool is_ignored(const std::string& name);
-
-/// Is it a part of a whole checkout of the course in the same folder?
-bool is_of_the_course(const std::filesystem::path& entry);
-
-/// Is it a C++ file by its name: .cpp, .cc, .cxx or .c++, in small letters or large?
-bool is_source(const std::filesystem::path& file);
-
-/// Is it named after an exercise of the course?
-bool answers_another(const std::filesystem::path& file);
 
 /// The text of an answer. Throws Stop(bad_use), one line, if it is no regular file, is larger than 1 MB, or cannot be
 /// read. Links are not followed.

@@ -11,8 +11,6 @@
 #include <sys/prctl.h>
 
 #include "../checker/finding_json.hpp"
-#include "forbidden_includes.hpp"
-#include "read_json.hpp"
 #include "paths.hpp"
 #include "process.hpp"
 #include "stop.hpp"
@@ -35,7 +33,7 @@ struct Commands {
 Commands read_commands(const Exercise& exercise) {
     const fs::path file = paths().build / "exercises/commands.json";
     try {
-        const auto json = read_json(contents(file));
+        const auto json = nlohmann::json::parse(contents(file));
         return {json.at(exercise.eigen ? "compile_eigen" : "compile"),
                 json.at(exercise.eigen ? "bare_eigen" : "bare"),
                 json.at("sanitize"),
@@ -151,9 +149,13 @@ void stop_if_damaged(const Exercise& exercise, const Commands& commands, const S
             put_before(words, sandbox->before_compiler(words, temporary.folder(), {exercise.declared()}));
         return succeeds(words, temporary, own, patience);
     };
-    if (!works(compiling(commands.compile, exercise, exercise.stub(), object))) throw Damaged(true, own.compiler);
-    if (links && !works(linking(commands.link, commands, object, temporary.folder() / "own")))
-        throw Damaged(false, own.compiler);
+    if (works(compiling(commands.compile, exercise, exercise.stub(), object)) &&
+        (!links || works(linking(commands.link, commands, object, temporary.folder() / "own"))))
+        return;
+    throw Stop(Status::missing,
+               "the compiler refuses the course's own file, so no answer was checked; delete the folder build, and "
+               "./course will make it again. The compiler says: " +
+                   own.compiler.substr(0, own.compiler.find('\n')));
 }
 
 // What the learner's code printed; nothing if it put something else in the file's place, which may be endless.
@@ -174,13 +176,6 @@ bool meddled_with(const Outcome& outcome, const std::string& verdict) {
 }
 
 }  // namespace
-
-Damaged::Damaged(bool header, const std::string& compiler)
-    : Stop(Status::missing,
-           "the compiler refuses the course's own file, so no answer was checked. If this happens again, "
-           "delete the folder build. The compiler says: " +
-               compiler.substr(0, compiler.find('\n'))),
-      header_(header) {}
 
 std::uint64_t new_seed() {
     std::random_device random;

@@ -30,18 +30,6 @@ struct Verdict : checker::Finding {
 /// The detail of a too_slow if the hidden tests, not the answer, worked too long.
 inline constexpr const char* too_much_work_for_the_tests = "the hidden tests";
 
-/// The built files for a check are damaged: the compiler refuses the course's own file, too.
-class Damaged : public Stop {
-public:
-    Damaged(bool header, const std::string& compiler);
-    bool header() const {
-        return header_;
-    }  ///< is it the header compiled beforehand, or what an answer is linked with?
-
-private:
-    bool header_;
-};
-
 /// 64 random bits.
 std::uint64_t new_seed();
 
@@ -54,6 +42,10 @@ std::vector<std::filesystem::path> parts_of_check(const Exercise& exercise);
 /// Are CMake's compile and link commands present and complete?
 bool commands_are_whole(const Exercise& exercise);
 
+/// One clear line where an answer has made use of the course's answers, tests or library: what of them stands, beside
+/// the `answer` itself, in the list that the compiler has written for make. Empty: nothing. (forbidden_includes.cpp)
+std::string forbidden_include(const std::filesystem::path& list, const std::filesystem::path& answer);
+
 /// How a file is checked.
 struct Manner {
     const Sandbox* sandbox = nullptr;  ///< for a stranger's file
@@ -62,7 +54,7 @@ struct Manner {
 };
 
 /// Checks `file` as an answer to the exercise, with inputs drawn from `seed`. Throws Stop if the file cannot be read or
-/// the machine is at fault, and Damaged.
+/// the machine is at fault.
 Verdict check_file(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed,
                    const Manner& manner = {});
 

@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "misconception.hpp"
 #include "answer_lint.hpp"
 #include "terminal.hpp"
 
@@ -35,15 +34,16 @@ std::string head_of(const std::string& text, int most, const std::string& indent
 }
 
 // What the linker says, in the words of the exercise.
-std::string of_linker(const Exercise& exercise, const std::string& said, const fs::path& file) {
+std::string of_linker(const Exercise& exercise, const std::string& said) {
     // GNU ld's words, and lld's.
     if (said.find("undefined reference to `" + exercise.name + "(") != std::string::npos ||
         said.find("undefined reference to '" + exercise.name + "(") != std::string::npos ||
         said.find("undefined symbol: " + exercise.name + "(") != std::string::npos) {
-        const std::string otherwise = uncallable_definition(contents(file), exercise.name);
         return "  The file has no function\n      " + exercise.declaration + "\n" +
-               (otherwise.empty() ? "  Name and arguments must stay as they were.\n"
-                                  : wrapped("It has a function of that name, " + otherwise, 2));
+               wrapped(
+                   "Name and arguments must stay as they were, and the function must be neither static, inline nor "
+                   "a template, nor part of a namespace or a class.",
+                   2);
     }
     if (said.find("multiple definition of `main'") != std::string::npos ||
         said.find("multiple definition of 'main'") != std::string::npos ||
@@ -53,20 +53,18 @@ std::string of_linker(const Exercise& exercise, const std::string& said, const f
 }
 
 // The compiler reads a header with the exercise's declaration before the learner's file.
-std::string of_declaration(const Exercise& exercise, const std::string& said, const fs::path& file) {
+std::string of_declaration(const Exercise& exercise, const std::string& said) {
     if (said.find("what the exercise declares:") == std::string::npos) return {};
-    const std::string otherwise = uncallable_definition(contents(file), exercise.name);
-    return "  The file declares the function otherwise than the exercise does:\n      " + exercise.declaration + "\n" +
-           (otherwise.empty() ? "  The type it returns, name and arguments must stay as they were.\n\n"
-                              : wrapped("It has a function of that name, " + otherwise, 2) + "\n");
+    return "  The file declares the function otherwise than the exercise does:\n      " + exercise.declaration +
+           "\n  The type it returns, name and arguments must stay as they were.\n\n";
 }
 
 std::string does_not_compile(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
-    if (is_utf16(contents(file)))
+    const std::string text = contents(file);
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
         return wrapped("The file is in UTF-16, which the compiler cannot read. Save it as UTF-8.", 2);
-    std::string why = of_linker(exercise, verdict.compiler, file);
-    if (why.empty()) why = of_declaration(exercise, verdict.compiler, file) + head_of(verdict.compiler, 12, "  ");
-    return why;
+    const std::string why = of_linker(exercise, verdict.compiler);
+    return why.empty() ? of_declaration(exercise, verdict.compiler) + head_of(verdict.compiler, 12, "  ") : why;
 }
 
 // "" if there is no such line: #line can claim any number.
