@@ -13,6 +13,7 @@
 #include "../checker/finding_json.hpp"
 #include "paths.hpp"
 #include "process.hpp"
+#include "sandbox.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
 

@@ -5,13 +5,15 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "../checker/finding.hpp"
 #include "exercises.hpp"
-#include "sandbox.hpp"
 #include "stop.hpp"
 
 namespace course {
+
+class Sandbox;
 
 /// What a check has found. `kind` is one of: pass, does_not_compile, not_started, wrong,
 /// not_finite, crash, too_slow, too_much_memory, left_early, course_error.
