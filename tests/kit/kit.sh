@@ -203,5 +203,8 @@ checkout=$source
 case $function in *without_the_checkout | *full_disk*)
     bwrap --dev-bind / / true 2>/dev/null || { echo 'skipped: bubblewrap does not work here'; exit 77; } ;;
 esac
+case $function in *solutions*)
+    command -v python3 >/dev/null || { echo 'skipped: python3 is not installed'; exit 77; } ;;
+esac
 ! command -v ninja >/dev/null || export CMAKE_GENERATOR=Ninja
 "$function"

@@ -1,4 +1,4 @@
-# Does the program that looks for leaks find them?
+# Does the script that looks for leaks find them?
 
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../tools/expect.sh"
@@ -41,5 +41,6 @@ test_each_planted_leak_is_found() {
 
 leaks=$4 with_strings=$5
 begin "$@"
+command -v python3 >/dev/null || { echo 'skipped: python3 is not installed'; exit 77; }
 new_kit
 "$function"

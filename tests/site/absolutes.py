@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A sentence with "never", "cannot", "always" or the like is on the list absolutes.tsv, and what the list names exists.
 
-    absolutes.py ROOT [LIST]
+    absolutes.py ROOT
 
 reads the pages (chapters, docs), the words of `tools/advise`, and the comments that
 document the library. A claim with such a word needs a proof: the list names an anchor (#ch5_passive), a study's check
@@ -62,16 +62,6 @@ def comments(lines):
         paragraph += " " + words
 
 
-def strings(lines):
-    """(line, sentence) of the string literals, those that follow each other joined."""
-    text = "\n".join(re.sub(r"^\s*//.*", "", line) for line in lines)
-    for found in re.finditer(r'"((?:[^"\\\n]|\\.)*)"(?:\s*"((?:[^"\\\n]|\\.)*)")*', text):
-        whole = "".join(re.findall(r'"((?:[^"\\\n]|\\.)*)"', found[0]))
-        for sentence in re.split(r"; ", whole):
-            for part in sentences_of(sentence) if " " in sentence else []:
-                yield text.count("\n", 0, found.start()) + 1, part.replace("`", "").replace("**", "")
-
-
 def texts(lines):
     """(line, sentence) of the adviser's words, "key: text"."""
     for number, line in enumerate(lines, 1):
@@ -87,10 +77,7 @@ def sources(root):
             yield file, page
     for file in sorted([*root.glob("include/timestep/**/*.h*")]):
         yield file, comments
-    for file in sorted([*root.glob("tools/advise/*.[ch]pp")]):
-        yield file, strings
-    if (words := root / "tools/advise/words.txt").exists():
-        yield words, texts
+    yield root / "tools/advise/words.txt", texts
 
 
 def claims(root):
@@ -161,10 +148,10 @@ def faults(root, table):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (2, 3):
+    if len(sys.argv) != 2:
         print(__doc__, file=sys.stderr)
         sys.exit(2)
     root = pathlib.Path(sys.argv[1])
-    found = faults(root, pathlib.Path(sys.argv[2]) if len(sys.argv) == 3 else root / "tests/site/absolutes.tsv")
+    found = faults(root, root / "tests/site/absolutes.tsv")
     print("\n".join(found) or "every absolute sentence is on the list, and every line of the list holds")
     sys.exit(1 if found else 0)

@@ -36,13 +36,6 @@ std::vector<page::Name> read_names(const fs::path& tags) {
     return names;
 }
 
-/// Doxygen gives each line of a source its place twice, `<a id="l00042" name="l00042">`: half a megabyte.
-std::string with_places_once(std::string html) {
-    static const std::string twice = " name=\"l00042\"";
-    for (std::size_t at = 0; (at = html.find("\" name=\"l", at)) != std::string::npos;) html.erase(++at, twice.size());
-    return html;
-}
-
 void finish(const fs::path& site, const fs::path& tags, const fs::path& library, const std::string& unlinked) {
     const std::vector<page::Name> names = read_names(tags);
     page::check_groups(library / "groups.tsv", names);
@@ -58,7 +51,7 @@ void finish(const fs::path& site, const fs::path& tags, const fs::path& library,
             finished = page::with_source_links(page::with_sure_links(html), sources, name, unlinked);
             finished = page::with_units(finished, units, missing);
         }
-        finished = with_places_once(page::with_colours(finished));
+        finished = page::with_colours(finished);
         if (finished != html) page::write_file(entry.path(), finished);
     }
     std::string all;

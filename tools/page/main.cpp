@@ -6,7 +6,6 @@
 
 #include "directives.hpp"
 #include "svg_for_web.hpp"
-#include "options.hpp"
 #include "text.hpp"
 
 #include <iostream>
@@ -27,25 +26,18 @@ constexpr const char* usage =
     "{{talks}} is made of, with the tests below ROOT/tests. A draft has gaps where\n"
     "something comes from a run that is still to be made.\n";
 
-/// False where --help was asked for.
-bool parse(int argc, char** argv, Options& options) {
-    lab::Options known{"page"};
-    for (const char* flag : {"--source", "--runs", "--input", "--output", "--chapter", "--index", "--figures",
-                             "--depfile", "--indexes", "--draft"}) {
-        known.add(flag, [flag, &options](const std::string& value) {
-            options[flag] = value;
-            return std::string{value.empty() ? "must not be empty" : ""};
-        });
+/// What stands behind each option.
+Options parse(int argc, char** argv) {
+    Options options;
+    for (int i = 1; i < argc; i += 2) {
+        const std::string option = argv[i];
+        if (!option.starts_with("--") || std::string{usage}.find(option + " ") == std::string::npos)
+            throw std::invalid_argument{"page: " + option + ": is none of the options"};
+        options[option] = i + 1 < argc ? argv[i + 1] : "";
     }
-    try {
-        if (!known.parse(argc, argv)) return false;
-    } catch (const std::invalid_argument& wrong) {
-        throw std::invalid_argument{std::string{"page: "} + wrong.what()};
-    }
-    for (const char* needed : {"--source", "--runs", "--input", "--output"}) {
+    for (const char* needed : {"--source", "--runs", "--input", "--output"})
         if (options[needed].empty()) throw std::invalid_argument{std::string{"page: "} + needed + ": is missing"};
-    }
-    return true;
+    return options;
 }
 
 /// Copies the figures that the page shows, still ones for light and dark pages, and of every film its first frame. The
@@ -100,13 +92,14 @@ void make_page(Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc == 1) {
+        std::cerr << usage;
+        return 2;
+    }
     Options options;
     try {
-        if (parse(argc, argv, options)) {
-            make_page(options);
-        } else {
-            std::cout << usage;
-        }
+        options = parse(argc, argv);
+        make_page(options);
         return 0;
     } catch (const std::exception& wrong) {
         // A page of an earlier build must not pass for this one's.

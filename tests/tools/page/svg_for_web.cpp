@@ -1,14 +1,11 @@
-// Figures on the pages: their size, in the dark as on white, and in no more points than are seen.
+// Figures on the pages: in the dark as on white, and in no more points than are seen.
 #include "svg_for_web.hpp"
 #include "colours.hpp"
-#include "course.hpp"
 #include "text.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-#include <array>
-#include <cmath>
 #include <regex>
 #include <stdexcept>
 
@@ -19,33 +16,12 @@ namespace {
 const std::map<std::string, std::string> dark =
     page::load_dark_colours(std::string{SOURCE} + "/tools/figures/dark.tsv");
 
-/// WCAG 2's luminance of a colour `#rrggbb`.
-double luminance(const std::string& colour) {
-    constexpr std::array<double, 3> weight{0.2126, 0.7152, 0.0722};
-    double sum = 0.05;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double part = std::stoi(colour.substr(1 + 2 * i, 2), nullptr, 16) / 255.0;
-        sum += weight[i] * (part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4));
-    }
-    return sum;
-}
-
 std::string shown(const std::string& body) {
     return page::svg_for_web("<?xml version='1.0'?>\n<svg\n width=\"640\" height=\"480\"\n>\n" + body + "</svg>\n",
                              dark);
 }
 
 }  // namespace
-
-TEST_CASE("every colour of the figures can be read on the dark ground") {
-    const double ground = luminance(dark.at("#ffffff"));
-    for (const auto& [colour, other] : dark) {
-        CAPTURE(colour);
-        const bool grey = colour[1] == colour[3] && colour[3] == colour[5];
-        if (!grey && colour != "#000001") CHECK(luminance(other) / ground > 4.45);
-    }
-    CHECK(luminance(dark.at("#000000")) / ground > 12);
-}
 
 TEST_CASE("a panel's colours are in the dark those of the figures") {
     const std::string script = page::read_file(std::string{SOURCE} + "/docs/theme/live.js");
@@ -84,25 +60,6 @@ TEST_CASE("points that nobody sees are left out of a figure") {
     CHECK(path("M-0.04,-3.16 L5.00,5.00 M9.00,9.00 M1.00,1.00 L2.00,2.00 ") == "M0,-3.2L5,5M1,1L2,2");
     CHECK(path("M1.00,1.00 L1.00,1.00 ") == "M1,1L1,1");  // a dot
     CHECK(path("M0,1.330 L1.265,0.411 z") == "M0,1.330 L1.265,0.411 z");
-}
-
-TEST_CASE("a picture tells its size; a GIF is drawn at twice its size on the page") {
-    const Course course;
-    CHECK(page::image_size(course / "runs/03_springs/run/spiral.svg").width == 640);
-    CHECK(page::image_size(course / "runs/03_springs/run/sweep.gif").width == 2);
-    course.write("a.svg", "<svg stroke-width=\"3\" viewBox=\"0 0 1 1\"></svg>");
-    CHECK_THROWS_AS(page::image_size(course / "a.svg"), page::Error);
-    course.write("a.gif", "no GIF at all");
-    CHECK_THROWS_AS(page::image_size(course / "a.gif"), page::Error);
-}
-
-TEST_CASE("the first frame is a whole GIF without the rest of the animation") {
-    const Course course;
-    const std::string gif = course.read("runs/03_springs/run/sweep.gif"), still = page::first_frame(gif);
-    CHECK(still.size() == 19 + 23 + 1);  // header, screen and colours; one frame; the end
-    CHECK(still.find("NETSCAPE") == std::string::npos);
-    for (const std::size_t length : {0u, 12u, 30u, 50u})
-        CHECK_THROWS_AS(page::first_frame(gif.substr(0, length)), std::invalid_argument);
 }
 
 TEST_CASE("a method looks in the panels as it does in the figures") {
