@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 
 #include "advise.hpp"
+#include "method_on_spring.hpp"
 #include <timestep/run.hpp>
 
 #include "random_springs.hpp"
@@ -178,4 +179,20 @@ TEST_CASE("several dampers are swept there and back, and a stiff joint gets impl
         CHECK(answer(joint, 1.0 / 60).method == "implicit Euler");
         CHECK(answer(joint, 1.0 / 60).choice->name == "joint");
     }
+}
+
+// All dampers at once are known to hold farther; swept, nothing is proven there.
+TEST_CASE("with several dampers new damping is called stable below omega h = 2 only", "[library][I13][N25]") {
+    const auto verdict_at = [](const Pull& pull, double turn) {
+        const SpringScene scene = scene_of(pull, 1, 2);
+        const double h = turn / scene.fastest.omega;
+        return advise(on_spring(semi_implicit_euler_new_damping, scene.fastest.zeta, scene.least.zeta, scene.several),
+                      scene, h, 0.01)
+            .verdict;
+    };
+    for (const Pull& pull : {springs_between(1, 2), springs_between(1, 4), hinge(1, 1, 1, 1), springs_on_body(1, 3)}) {
+        CHECK(verdict_at(pull, 1.99) == Verdict::stable);
+        CHECK(verdict_at(pull, 2.1) == Verdict::not_proven);
+    }
+    CHECK(verdict_at(springs_on_body(1, 1), 2.1) == Verdict::stable);  // one spring with its damper
 }

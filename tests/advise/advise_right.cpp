@@ -12,22 +12,6 @@
 
 using namespace timestep;
 
-// Half the error wanted: a method of order p needs a step shorter by 2^(−1/p).
-TEST_CASE("the step for an accuracy is as long as the method's order says", "[library][I13][I15]") {
-    const DampedSpring<double> spring(10.0, 0.2);
-    const auto coarse = advise(spring, 0.01, 1e-4), fine = advise(spring, 0.01, 1e-4 / 16);
-    const auto order_of = [&](const char* name) {
-        return std::log(16.0) / std::log(of(coarse, name).accurate_step / of(fine, name).accurate_step);
-    };
-    for (const char* name : {"explicit Euler", "implicit Euler", "semi-implicit Euler", "constant acceleration"})
-        CHECK(std::abs(order_of(name) - 1) < 0.05);
-    for (const char* name : {"midpoint", "Heun", "implicit midpoint", "BDF2"})
-        CHECK(std::abs(order_of(name) - 2) < 0.05);
-    CHECK(std::abs(order_of("Runge-Kutta 4") - 4) < 0.1);
-    REQUIRE(cheapest(fine) != nullptr);
-    CHECK(cheapest(fine)->method == "Runge-Kutta 4");
-}
-
 namespace {
 
 // What the reader sees: let go at rest, the largest distance of a run from the exact positions in the first swing.

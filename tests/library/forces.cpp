@@ -16,40 +16,12 @@ struct Cubic {  // position only, not linear
     double slope_x(double x, double) const { return -3 * x * x; }
     double slope_v(double, double) const { return 0; }
 };
-struct Rough {  // no derivatives
-    double acceleration(double x) const { return x > 0 ? -1 : 1; }
-};
 struct TwoSprings {  // another stiffness in each direction
     Eigen::Vector2d acceleration(const Eigen::Vector2d& x) const { return slope_x() * x; }
     Eigen::Matrix2d slope_x() const { return Eigen::Vector2d(-1, -4).asDiagonal(); }
 };
 
 }  // namespace
-
-TEST_CASE("a force is of the narrowest kind that its arguments allow", "[library]") {
-    STATIC_REQUIRE(ConstantForce<Projectile<double>>);
-    STATIC_REQUIRE(PositionForce<Projectile<double>, double>);  // constant is position at most
-    STATIC_REQUIRE(VelocityForce<Projectile<double>, double>);
-
-    STATIC_REQUIRE(!ConstantForce<Spring<double>>);
-    STATIC_REQUIRE(PositionForce<Spring<double>, double>);
-    STATIC_REQUIRE(VelocityForce<Spring<double>, double>);
-
-    STATIC_REQUIRE(!PositionForce<DampedSpring<double>, double>);
-    STATIC_REQUIRE(VelocityForce<DampedSpring<double>, double>);
-
-    STATIC_REQUIRE(!VelocityForce<int, double>);
-}
-
-TEST_CASE("a force is linear when its derivatives are constant", "[library]") {
-    STATIC_REQUIRE(LinearForce<Projectile<double>, double>);
-    STATIC_REQUIRE(LinearForce<Spring<double>, double>);
-    STATIC_REQUIRE(LinearForce<DampedSpring<double>, double>);
-    STATIC_REQUIRE(LinearForce<TwoSprings, Eigen::Vector2d>);
-    STATIC_REQUIRE(!LinearForce<Cubic, double>);
-    STATIC_REQUIRE(SmoothForce<Cubic, double>);
-    STATIC_REQUIRE(!SmoothForce<Rough, double>);
-}
 
 TEST_CASE("each kind of force is asked with the arguments it takes", "[library]") {
     const Eigen::Vector2d x(2, 0), v(3, 1);

@@ -43,18 +43,7 @@ test_what_blows_up_says_when() {
     silent_on out 'semi-implicit'' Euler blew up'
 }
 
-# Of ours, and Eigen. That it compiles is what the build of the panels shows.
-test_two_folders_are_enough_for_a_panel() {
-    cd "$source" || exit 1
-    for file in chapters/*/live/*.cpp; do
-        eigen=
-        ! grep -q '"eigen"' "${file%/live/*}/about.json" || eigen=-I/usr/include/eigen3
-        # shellcheck disable=SC2086  # nothing or one word
-        "$compiler" -std=c++20 -M -Iinclude -Itools/live $eigen "$file" >/dev/null || fail "$file includes more"
-    done
-}
-
 . "$(dirname "$0")/../tools/expect.sh"
-panel=$4 compiler=$5
+panel=$4
 begin "$@"
 "$function"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <vector>
 
 #include <Eigen/Dense>
 
@@ -23,10 +22,9 @@ struct Net {
 
     Matrix stiffness = Matrix::Zero();
     Vector masses = Vector::Ones();
-    double damping_share = 0;   // c/k, s
-    std::vector<Vector> links;  // the direction of each spring
+    double damping_share = 0;  // c/k, s
 
-    void add(double k, const Vector& along) { stiffness += k * along * along.transpose(), links.push_back(along); }
+    void add(double k, const Vector& along) { stiffness += k * along * along.transpose(); }
     // Weak springs to the world that pull every way, ω² = `omega2`.
     void hold(double omega2) { stiffness += omega2 * Matrix(masses.asDiagonal()); }
     Matrix pull() const { return masses.cwiseInverse().asDiagonal() * stiffness; }
@@ -74,29 +72,6 @@ Eigen::MatrixXd step_of(const Method& method, const Model& model, double h) {
             const S next = method.step(model, now, h);
             step.col(i) << next.x, next.v;
         }
-    }
-    return step;
-}
-
-// The matrix of a step of semi-implicit Euler in which a damper beside each link takes the new velocity, one damper
-// after another: once along the row with the whole of each, or there and back with a root of each division
-// (damper_sweep.hpp).
-template <int N>
-Eigen::MatrixXd swept_step(const Net<N>& net, const std::vector<double>& dampers, double h, bool there_and_back) {
-    using V = typename Net<N>::Vector;
-    Eigen::MatrixXd step(2 * N, 2 * N);
-    for (int i = 0; i < 2 * N; ++i) {
-        const Eigen::VectorXd y = Eigen::VectorXd::Unit(2 * N, i);
-        const V x = y.head(N);
-        V v = V(y.tail(N)) - h * net.pull() * x;
-        const auto damp = [&](std::size_t k) {
-            const V impulse = net.masses.cwiseInverse().cwiseProduct(net.links[k]);
-            const double both = net.links[k].dot(impulse), divisor = 1 + h * dampers[k] * both;
-            v -= (1 - 1 / (there_and_back ? std::sqrt(divisor) : divisor)) * net.links[k].dot(v) / both * impulse;
-        };
-        for (std::size_t k = 0; k < net.links.size(); ++k) damp(k);
-        for (std::size_t k = net.links.size(); there_and_back && k-- > 0;) damp(k);
-        step.col(i) << x + h * v, v;
     }
     return step;
 }
