@@ -6,7 +6,6 @@
 
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::EndsWith;
-using Catch::Matchers::StartsWith;
 namespace fs = std::filesystem;
 
 namespace {
@@ -129,44 +128,4 @@ TEST_CASE("finish_site puts a unit beside every parameter, and refuses one witho
     CHECK_THAT(make("h\ts\t\nx\t\t\n", ""), EndsWith("groups.tsv:1: has no group for timestep/run.hpp\n"));
     CHECK_THAT(make("h\ts\t\nx\t\t\n", groups + groups),
                ContainsSubstring("groups.tsv:2: there is no second header timestep/run.hpp"));
-}
-
-TEST_CASE("finish_site colours the words of C++20, and no parts of others") {
-    const Site site;
-    const auto span = [](const std::string& kind, const std::string& word) {
-        return "<span class=\"" + kind + "\">" + word + "</span>";
-    };
-    const std::string type = span("keywordtype", "double"), comment = span("comment", "// a double"),
-                      text = span("stringliteral", "&quot;for&quot;");
-    const std::string cases[][2] = {
-        {"std::" + span("keywordtype", "float") + "ing_po" + span("keywordtype", "int") + " x",
-         "std::floating_point x"},
-        {span("keyword", "auto") + " a&lt;double&gt; = " + text,
-         span("keyword", "auto") + " a&lt;" + type + "&gt; = " + text},
-        {"if (requires_x) " + comment, span("keywordflow", "if") + " (requires_x) " + comment},
-        {"<a class=\"code\" href=\"x.html\">new</a>" + comment, "<a class=\"code\" href=\"x.html\">new</a>" + comment},
-        {"./course new for if", "./course new for if"}};  // no C++ at all
-    for (const auto& [line, coloured] : cases) {
-        const auto listing = [](const std::string& code) {
-            return "<div class=\"fragment\">" + code + "\n</div><!-- fragment -->";
-        };
-        CHECK(site.page(listing(line)) == listing(coloured));
-    }
-}
-
-TEST_CASE(
-    "finish_site keeps in listings the links to types and qualified names alone, with what is shown beside them") {
-    const Site site;
-    const auto link = [](const std::string& name, const std::string& kind = "function") {
-        return "<a class=\"code hl_" + kind + "\" href=\"l.html#" + name + "\">" + name + "</a>";
-    };
-    const auto tip = [](const std::string& name) {
-        return "<div class=\"ttc\"><div class=\"ttname\"><a href=\"l.html#" + name + "\">t</a></div></div>\n";
-    };
-    const auto listing = [](const std::string& code) {
-        return "<div class=\"fragment\">" + code + "</div><!-- fragment -->";
-    };
-    const std::string sure = link("t::twice") + "(x) " + link("State", "struct");
-    CHECK(site.page(listing(sure + link("dot") + "(x) " + link("V", "class") + "\n" + tip("dot") + tip("State"))) ==
-          listing(sure + "dot(x) V\n" + tip("State")));
 }

@@ -51,14 +51,6 @@ TEST_CASE("pieces know their line, and whether they have it to themselves") {
     CHECK(pieces[5].in_table);
 }
 
-TEST_CASE("a heading's level, title and id") {
-    const page::Heading heading = page::parse_heading("### The spiral {#ch3_spiral}");
-    CHECK(heading.level == 3);
-    CHECK(heading.title == "The spiral");
-    CHECK(heading.id == "ch3_spiral");
-    CHECK(page::parse_heading("# Title").id.empty());
-}
-
 TEST_CASE("what is opened and never closed is an error at its line") {
     const char* const cases[][2] = {{"\n$x\n\nb$", "page.md:2: this formula has no closing $ (write \\$ for a dollar)"},
                                     {"a\n$$x", "page.md:2: this formula has no closing $$ (write \\$ for a dollar)"},

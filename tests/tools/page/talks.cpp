@@ -47,21 +47,6 @@ TEST_CASE("a row stands with what the talks show, its erratum, section, figure, 
         CHECK_THAT(page, ContainsSubstring(part));
 }
 
-TEST_CASE("tests are told by their macro at the beginning of a line, and by their tags") {
-    const auto rows = [](const std::string& text) {
-        std::string found;
-        for (const page::TestPlace& test : page::tagged_tests(text, "a.cpp"))
-            found += test.row + " " + test.name + " " + std::to_string(test.line) + "\n";
-        return found;
-    };
-    CHECK(rows("TEST_CASE(\"a\", \"[N01]\")") == "N01 a 1\n");
-    CHECK(rows("// TEST_CASE(\"a\", \"[N01]\")\n") == "");
-    CHECK(rows("TEST_CASE(\"a\") { CHECK(x == \"[N01]\"); }\n") == "");
-    CHECK(rows("\n\nTEST_CASE(\n    \"a \\\"b\\\", c\",\n    \"[N01]\"\n    \"[I12][ch1][N1]\") "
-               "{\n") == "N01 a \"b\", c 3\nI12 a \"b\", c 3\n");
-    CHECK(rows("TEMPLATE_LIST_TEST_CASE(\"a\", \"[N01]\", Reals) {\n}\n") == "N01 a 1\n");
-}
-
 TEST_CASE("a claimed row without its text, section or evidence is an error, and so is an unknown check") {
     const Course course;
     const auto error = [&](const std::string& file, const std::string& content) {
