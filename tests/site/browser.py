@@ -12,12 +12,14 @@ in order when the console reports no error, no formula stands unset, every image
 page scroll sideways, figures are those for phones and in the colours of the page, all words stand out from their ground, and the language, fields and links have names.
 """
 
+import importlib.util
 import os
 import pathlib
 import re
 import shutil
 import sys
 import tempfile
+import time
 import zlib
 
 SKIPPED = 77
@@ -161,24 +163,22 @@ done(faults);
 """
 
 
-def missing():
-    """What this machine lacks, or nothing."""
-    try:
-        import selenium.webdriver  # noqa: F401
-    except ImportError:
-        return "Selenium is not there (package python3-selenium)"
-    if not chromium():
-        return "Chromium is not there (package chromium)"
-    if not shutil.which("chromedriver"):
-        return "Chromium's driver is not there (package chromium-driver)"
-    return ""
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 
 
-def chromium():
-    for name in ("chromium", "chromium-browser", "google-chrome"):
-        if shutil.which(name):
-            return shutil.which(name)
-    return None
+def wait(holds, looks=2400):
+    """Does this hold at last? Two minutes are given to it, for the machine may be busy."""
+    for _ in range(looks):
+        if found := holds():
+            return found
+        time.sleep(0.05)
+    return False
+
+
+class Faults(list):
+    def unless(self, holds, sentence):
+        if not holds:
+            self.append(sentence)
 
 
 class Browser:
@@ -189,7 +189,7 @@ class Browser:
         from selenium.webdriver.chrome.service import Service
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         options = webdriver.ChromeOptions()
-        options.binary_location = chromium()
+        options.binary_location = CHROMIUM
         for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
                          "--disable-background-networking", "--no-first-run", "--hide-scrollbars",
                          "--disable-component-update", "--disable-sync",
@@ -198,8 +198,8 @@ class Browser:
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         self.driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
         self.driver.set_script_timeout(300)
-        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-            "width": PHONE[0], "height": PHONE[1], "deviceScaleFactor": 1, "mobile": False})
+        self.run = self.driver.execute_script
+        self.screen(*PHONE)
 
     def __enter__(self):
         return self
@@ -208,9 +208,21 @@ class Browser:
         self.driver.quit()
         self.profile.cleanup()
 
-    def prefer(self, scheme):
-        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
-            "features": [{"name": "prefers-color-scheme", "value": scheme}]})
+    def screen(self, width, height):
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+
+    def prefer(self, value, what="color-scheme"):
+        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-" + what, "value": value}]})
+
+    def open(self, path, anchor=""):
+        """The page anew, which begins at the anchor."""
+        self.driver.get("about:blank")
+        self.driver.get(pathlib.Path(path).resolve().as_uri() + anchor)
+
+    def errors(self):
+        """What the console reports."""
+        return ["console: " + entry["message"] for entry in self.driver.get_log("browser") if entry["level"] == "SEVERE"]
 
     def look_at_colours(self, scheme):
         return [f"{fault} at {PHONE[0]} px in {scheme} mode"
@@ -219,52 +231,40 @@ class Browser:
     def faults(self, path):
         """A sentence for each fault of the page in this file."""
         self.prefer("light")
-        self.driver.get(pathlib.Path(path).resolve().as_uri())
+        self.open(path)
         found = self.driver.execute_async_script(LOOK)
         found += self.look_at_colours("light")
         self.prefer("dark")
-        found += self.look_at_colours("dark")
-        found += ["console: " + entry["message"] for entry in self.driver.get_log("browser")
-                  if entry["level"] == "SEVERE"]
-        return found
-
+        return found + self.look_at_colours("dark") + self.errors()
 
     def at_a_desk(self, path):
         """What is wrong with the page on a wide screen."""
         self.prefer("light")
-        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": 1280, "height": 900, "deviceScaleFactor": 1, "mobile": False})
-        self.driver.get(pathlib.Path(path).resolve().as_uri())
+        self.screen(1280, 900)
+        self.open(path)
         return self.driver.execute_async_script(LOOK) + self.driver.execute_async_script(LOOK_AT_DESK)
 
     def folds_open(self, path):
         """Does an address lead to a place that is folded away, by a link, too, and does paper show what is folded?"""
-        address = pathlib.Path(path).resolve().as_uri()
-        self.driver.get(address)
-        inside = self.driver.execute_script("return [...document.querySelectorAll('details.ask [id]')].map(e => e.id)")
+        self.open(path)
+        inside = self.run("return [...document.querySelectorAll('details.ask [id]')].map(e => e.id)")
         if not inside:
             return ["no place is folded away, so nothing is tried"]
-        shown = "return document.getElementById(arguments[0]).closest('details').open"
-        found = []
-        if self.driver.execute_script(shown, inside[0]):
-            found.append(f"#{inside[0]} is not folded to begin with")
-        self.driver.execute_script("location.hash = arguments[0]; dispatchEvent(new HashChangeEvent('hashchange'))", inside[0])
-        if not self.driver.execute_script(shown, inside[0]):
-            found.append(f"a link to #{inside[0]} leads into a fold that stays shut")
-        self.driver.get("about:blank")
-        self.driver.get(address + "#" + inside[-1])
-        if not self.driver.execute_script(shown, inside[-1]):
-            found.append(f"the address #{inside[-1]} leads into a fold that stays shut")
-        self.driver.execute_script("dispatchEvent(new Event('beforeprint'))")
-        if not self.driver.execute_script("return [...document.querySelectorAll('details.ask')].every(e => e.open)"):
-            found.append("paper does not show what is folded")
+        found = Faults()
+        is_shown = lambda place: self.run("return document.getElementById(arguments[0]).closest('details').open", place)
+        found.unless(not is_shown(inside[0]), f"#{inside[0]} is not folded to begin with")
+        self.run("location.hash = arguments[0]; dispatchEvent(new HashChangeEvent('hashchange'))", inside[0])
+        found.unless(is_shown(inside[0]), f"a link to #{inside[0]} leads into a fold that stays shut")
+        self.open(path, "#" + inside[-1])
+        found.unless(is_shown(inside[-1]), f"the address #{inside[-1]} leads into a fold that stays shut")
+        self.run("dispatchEvent(new Event('beforeprint'))")
+        found.unless(self.run("return [...document.querySelectorAll('details.ask')].every(e => e.open)"), "paper does not show what is folded")
         return found
-
 
     def menu_leads(self, path, chapters):
         """Does the menu of a phone show a link to each of these pages, once it is opened?"""
-        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-            "width": PHONE[0], "height": PHONE[1], "deviceScaleFactor": 1, "mobile": False})
-        self.driver.get(pathlib.Path(path).resolve().as_uri())
+        self.screen(*PHONE)
+        self.open(path)
         found = self.driver.execute_async_script("""
             const done = arguments[1];
             jQuery(() => setTimeout(() => {
@@ -274,10 +274,16 @@ class Browser:
         return [f"the phone's menu does not lead to {page}" for page in found]
 
 
+def skip(why):
+    print("skipped: " + why)
+    sys.exit(SKIPPED)
+
+
 def skip_without_browser():
-    if missing():
-        print("skipped: " + missing())
-        sys.exit(SKIPPED)
+    if not importlib.util.find_spec("selenium"):
+        skip("Selenium is not there (package python3-selenium)")
+    if not CHROMIUM or not shutil.which("chromedriver"):
+        skip("Chromium or its driver is not there (packages chromium, chromium-driver)")
 
 
 def report(faults, tried, what):
@@ -310,8 +316,7 @@ def main():
     site = sys.argv[1]
     for part, package in (("katex", "libjs-katex"), ("doxygen-awesome.css", "doxygen-awesome-css")):
         if not os.path.exists(os.path.join(site, part)):
-            print(f"skipped: the site was made without {part} (package {package})")
-            sys.exit(SKIPPED)
+            skip(f"the site was made without {part} (package {package})")
     pages, whole = sample(site, len(sys.argv) == 3)
     chapters = [page for page in os.listdir(site) if re.fullmatch(r"chapter_\d\d[.]html", page)]
     found = []

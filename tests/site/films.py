@@ -10,7 +10,7 @@ import sys
 import time
 
 import browser
-from panel import Faults, wait
+from browser import Faults, wait
 
 # What the test asks of a film: a hash of each of these frames, as the canvas shows it.
 FRAMES = """
@@ -64,21 +64,19 @@ def films(on, site, faults):
         if number == 0:
             continue
         count += number
-        on.driver.get(file.resolve().as_uri())
+        on.open(file)
         found = Faults()
         for i in range(number):
             film_plays(on, i, found)
-        on.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-reduced-motion", "value": "reduce"}]})
-        on.driver.get("about:blank")
-        on.driver.get(file.resolve().as_uri())
-        on.driver.execute_script("document.querySelector('figure.animation').scrollIntoView({block: 'center'})")
-        wait(lambda: on.driver.execute_script("return document.querySelector('figure.animation').classList.contains('is-film')"))
+        on.prefer("reduce", "reduced-motion")
+        on.open(file)
+        on.run("document.querySelector('figure.animation').scrollIntoView({block: 'center'})")
+        wait(lambda: on.run("return document.querySelector('figure.animation').classList.contains('is-film')"))
         time.sleep(0.4)
-        found.unless(on.driver.execute_script("return document.querySelector('figure.animation').film.shown") == 0,
+        found.unless(on.run("return document.querySelector('figure.animation').film.shown") == 0,
                      "a film plays though the reader prefers reduced motion")
-        on.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
-        found += ["console: " + entry["message"] for entry in on.driver.get_log("browser") if entry["level"] == "SEVERE"]
-        faults += [f"{file.name}: {fault}" for fault in found]
+        on.prefer("no-preference", "reduced-motion")
+        faults += [f"{file.name}: {fault}" for fault in found + on.errors()]
     return count
 
 
@@ -88,8 +86,7 @@ def main():
     browser.skip_without_browser()
     faults = Faults()
     with browser.Browser() as on:
-        on.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-            "width": 900, "height": 900, "deviceScaleFactor": 1, "mobile": False})
+        on.screen(900, 900)
         count = films(on, sys.argv[1], faults)
     browser.report(faults, count, "films")
 

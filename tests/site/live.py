@@ -14,11 +14,86 @@ import sys
 import time
 
 import browser
-from panel import BITS, DRAWN, LIVE, PICTURE, READY, STEPS, Faults, Page
-from panel_on_screen import DESK, can_be_read, fits_the_screen, says_what_it_took, seen_together
+from browser import Faults, wait
 
 MODULE, SCRIPT = 60_000, 15_000  # bytes, at most
+DESK, LAPTOP, PHONE = (900, 900), (1280, 800), (390, 844)
 PANEL = re.compile(r'<figure id="live-(\w+)"[^>]*data-live="([^"]+)" data-module="([^"]+)"')
+# What the test asks of a panel on the page: the object that live.js leaves at its figure.
+READY = "return document.getElementById(arguments[0]).classList.contains('is-live')"
+LIVE = "const live = document.getElementById(arguments[0]).live, of = live.of; "
+CONTROLS = LIVE + """
+return live.controls.map((c, i) => ({ name: c.name, kind: of.control_number(i, 0), least: of.control_number(i, 1),
+    most: of.control_number(i, 2), value: c.get() }));"""
+# Restarts, carries out the words as the program for the shell does, and hashes what is drawn (FNV-1a, 64 bits). Each look at
+# the clock is 2 ms after the one before, as the program has it by its word clock=2.
+BITS = LIVE + """
+live.play(false);
+const now = performance.now;
+let ticks = 0;
+performance.now = () => ticks += 2;
+for (const c of live.controls) c.set(c.first);
+of.begin();
+for (const word of arguments[1]) {
+    const [name, value] = word.split("=");
+    if (name === "steps") live.steps(Number(value));
+    else if (name === "grab" || name === "drag") of[name](...value.split(",").map(Number));
+    else if (name === "let_go") of.let_go();
+    else live.controls.find(c => c.name === name).set(Number(value));
+}
+performance.now = now;
+const size = of.draw(0), bytes = new Uint8Array(of.memory.buffer, of.commands(), size * 8);
+let sum = 14695981039346656037n;
+for (const byte of bytes) sum = (sum ^ BigInt(byte)) * 1099511628211n & 0xffffffffffffffffn;
+const readouts = [...Array(of.readouts()).keys()].map(i => of.readout(i));
+return [sum.toString(16).padStart(16, "0"), readouts, of.broken(), live.broke || ""];"""
+# All places of the picture, as one number.
+PICTURE = LIVE + """
+const size = of.draw(0);
+return new Float64Array(of.memory.buffer, of.commands(), size).reduce((sum, x, i) => sum + x * (1 + i % 97), 0);"""
+STEPS = LIVE + "return of.steps()"
+DRAWN = LIVE + """
+const pixels = live.picture.pen.getImageData(0, 0, live.canvas.width, live.canvas.height).data;
+let inked = 0;
+for (let i = 3; i < pixels.length; i += 4) inked += pixels[i] > 0;
+return inked / (pixels.length / 4);"""
+
+
+class Page:
+    """A panel's page in the browser."""
+
+    def __init__(self, on, file, name):
+        self.on, self.driver, self.file = on, on.driver, file
+        self.id = "live-" + name
+
+    def run(self, script, *arguments):
+        return self.on.run(script, self.id, *arguments)
+
+    def open(self, words=""):
+        self.on.open(self.file, "#" + self.id + (":" + words if words else ""))
+        there = wait(lambda: self.run(READY))
+        self.run("document.getElementById(arguments[0]).scrollIntoView()")
+        return there
+
+    def part(self, what):
+        return self.driver.find_element("css selector", f"#{self.id} {what}")
+
+    def button(self, words):
+        return next(b for b in self.driver.find_elements("css selector", f"#{self.id} button") if words in b.text)
+
+    def controls(self):
+        return self.run(CONTROLS)
+
+    def box(self, what):
+        return self.on.run(
+            "const b = arguments[0].getBoundingClientRect(); return [b.left, b.top, b.width, b.height]", self.part(what))
+
+    def touch(self, *places):
+        """A finger: down at the first place, through the others, and up."""
+        for i, (x, y) in enumerate(places):
+            self.driver.execute_cdp_cmd("Input.dispatchTouchEvent", {
+                "type": "touchMove" if i else "touchStart", "touchPoints": [{"x": x, "y": y}]})
+        self.driver.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
 
 
 def native(build, live, words):
@@ -47,7 +122,7 @@ def goes_and_stops(page, faults):
     run = lambda script, *more: page.run(script, *more)
     faults.unless(page.open(), "does not start")
     first = run(STEPS)
-    faults.unless(page.wait(lambda: run(STEPS) > first), "does not move by itself")
+    faults.unless(wait(lambda: run(STEPS) > first), "does not move by itself")
     faults.unless(run(DRAWN) > 0.002, "draws nothing")
     page.button("Stop").click()
     stopped = run(STEPS)
@@ -58,19 +133,19 @@ def goes_and_stops(page, faults):
     page.button("Restart").click()
     faults.unless(run(STEPS) == 0, "Restart does not")
     page.button("Play").click()
-    faults.unless(page.wait(lambda: run(STEPS) > 0), "Play does not")
+    faults.unless(wait(lambda: run(STEPS) > 0), "Play does not")
 
     # Off screen it stands; back on screen it goes on.
     scroll = "(document.getElementById('doc-content') || document.scrollingElement).scrollTop = arguments[0]; " \
              "document.scrollingElement.scrollTop = arguments[0]"
-    page.driver.execute_script("document.getElementById(arguments[0]).parentElement.style.paddingBottom = '4000px';", page.id)
-    page.driver.execute_script(scroll, 1e6)
-    faults.unless(page.wait(lambda: not run("return document.getElementById(arguments[0]).live.plays")), "goes on off screen")
+    page.on.run("document.getElementById(arguments[0]).parentElement.style.paddingBottom = '4000px';", page.id)
+    page.on.run(scroll, 1e6)
+    faults.unless(wait(lambda: not run("return document.getElementById(arguments[0]).live.plays")), "goes on off screen")
     there = run(STEPS)
     time.sleep(0.3)
     faults.unless(run(STEPS) == there, "steps off screen")
     run("document.getElementById(arguments[0]).scrollIntoView()")
-    faults.unless(page.wait(lambda: run(STEPS) > there), "does not go on when it is back on screen")
+    faults.unless(wait(lambda: run(STEPS) > there), "does not go on when it is back on screen")
 
 
 def moves(page, action):
@@ -148,7 +223,7 @@ def scrolls_under_a_finger(page, faults):
     left, top, width, height = page.box("canvas")
     for x, y in ((4, 4), (width - 4, 4), (4, height - 4), (width - 4, height - 4)):
         page.touch((left + x, top + y))
-    taken = page.driver.execute_script("return window.taken")
+    taken = page.on.run("return window.taken")
     faults.unless(len(taken) == 4 and not all(taken), f"no corner of it lets the page scroll under a finger ({taken})")
 
 
@@ -160,25 +235,51 @@ def carries_settings(page, faults):
     page.button("Link").click()
     address = page.driver.current_url
     faults.unless("#" + page.id + ":" in address, f"its link is {address}")
-    page.driver.get("about:blank")
-    page.driver.get(address)
-    faults.unless(page.wait(lambda: page.run(READY)), "does not start from its link")
+    page.on.open(page.file, address[address.index("#"):])
+    faults.unless(wait(lambda: page.run(READY)), "does not start from its link")
     faults.unless(page.controls()[0]["value"] == wanted, "its link does not carry the settings")
     page.open("no_such_control=1," + (sliders[0]["name"] + "=nonsense" if sliders else ""))
-    faults.unless(page.wait(lambda: page.run(READY)), "does not start from a link with nonsense in it")
+    faults.unless(wait(lambda: page.run(READY)), "does not start from a link with nonsense in it")
 
 
 def keeps_calm(page, faults):
-    page.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-reduced-motion", "value": "reduce"}]})
+    page.on.prefer("reduce", "reduced-motion")
     page.open()
     time.sleep(0.3)
     faults.unless(page.run(STEPS) == 0, "moves though the reader prefers reduced motion")
     page.button("Play").click()
-    faults.unless(page.wait(lambda: page.run(STEPS) > 0), "Play does not with reduced motion")
-    page.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+    faults.unless(wait(lambda: page.run(STEPS) > 0), "Play does not with reduced motion")
+    page.on.prefer("no-preference", "reduced-motion")
 
 
-LOOKS = (fits_the_screen, can_be_read, by_keyboard, by_finger, says_what_it_took, scrolls_under_a_finger, seen_together,
+def seen_together(page, faults):
+    """On a phone the picture stands whole above each slider that has been scrolled to."""
+    page.on.screen(*PHONE)
+    page.open()
+    hidden = page.run("""
+        const figure = document.getElementById(arguments[0]), canvas = figure.querySelector("canvas");
+        return [...figure.querySelectorAll(".live-control")].filter(row => {
+            row.querySelector("input, select").scrollIntoView({ block: "nearest" });
+            const picture = canvas.getBoundingClientRect(), control = row.getBoundingClientRect();
+            const at = document.elementFromPoint(picture.left + picture.width / 2, picture.top + 2);
+            return at !== canvas || picture.bottom > control.top + 1 || control.bottom > innerHeight + 1;
+        }).map(row => row.textContent)""")
+    faults.unless(not hidden, f"on a phone its picture is not whole while one slides {', '.join(hidden)}")
+    page.on.screen(*DESK)
+
+
+def fits_the_screen(page, faults):
+    """One sees the whole picture with all that can be set; on a phone with the first two of it."""
+    for screen, most in (LAPTOP, 99), (PHONE, 2):
+        page.on.screen(*screen)
+        page.open()
+        last = page.run("""const figure = document.getElementById(arguments[0]);
+            return [...figure.querySelectorAll(".live-control")].slice(0, arguments[1]).at(-1).getBoundingClientRect().bottom""", most)
+        faults.unless(last <= screen[1], f"at {screen[0]} px its controls end {last - screen[1]:.0f} px below the screen")
+    page.on.screen(*DESK)
+
+
+LOOKS = (fits_the_screen, by_keyboard, by_finger, scrolls_under_a_finger, seen_together,
          carries_settings, keeps_calm)
 
 
@@ -191,14 +292,13 @@ def main():
               for found in PANEL.findall(file.read_text(encoding="utf-8", errors="replace"))
               if len(sys.argv) == 3 or found[0] == sys.argv[3]]
     if not panels:
-        print("skipped: the site has no panel that moves (no compiler for WebAssembly)")
-        sys.exit(browser.SKIPPED)
+        browser.skip("the site has no panel that moves (no compiler for WebAssembly)")
     root = pathlib.Path(__file__).resolve().parents[2]
     found = Faults()
     script = (pathlib.Path(site) / "live.js").stat().st_size
     found.unless(script <= SCRIPT, f"live.js: has {script} bytes, must have at most {SCRIPT}")
     with browser.Browser() as on:
-        on.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", DESK)
+        on.screen(*DESK)
         on.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True})
         seen = set()
         for file, name, live, module in panels:
@@ -214,8 +314,7 @@ def main():
             same_bits(page, build, live, (root / "chapters" / live.replace("/", "/live/")).with_suffix(".cpp").read_text(), faults)
             for look in LOOKS:
                 look(page, faults)
-            faults += ["console: " + entry["message"] for entry in on.driver.get_log("browser") if entry["level"] == "SEVERE"]
-            found += [f"{live}: {fault}" for fault in faults]
+            found += [f"{live}: {fault}" for fault in faults + on.errors()]
     browser.report(found, len(seen), "panels")
 
 

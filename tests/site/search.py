@@ -8,11 +8,8 @@ file:// address, and reads the first hit. Then the keyboard alone: down, up, Ent
 import os
 import pathlib
 import sys
-import time
 
-from browser import Browser, SKIPPED, report, skip_without_browser
-
-WAIT = 120  # seconds, for the machine may be busy
+from browser import Browser, report, skip, skip_without_browser, wait
 
 
 def queries():
@@ -24,14 +21,8 @@ class Search:
     def __init__(self, driver, page):
         self.driver = driver
         driver.get(pathlib.Path(page).resolve().as_uri())
-        self.until(lambda: driver.execute_script("return !!document.getElementById('found')"))
+        wait(lambda: driver.execute_script("return !!document.getElementById('found')"))
         self.field = driver.find_element("id", "MSearchField")
-
-    def until(self, ready):
-        end = time.monotonic() + WAIT
-        while not (found := ready()) and time.monotonic() < end:
-            time.sleep(0.05)
-        return found
 
     def hits(self, text):
         """The addresses that are offered, below the site."""
@@ -41,7 +32,7 @@ class Search:
         self.field.send_keys(text)
         shown = ("const list = document.getElementById('found'); return list.hidden || list.textContent.startsWith('Reading') || "
                  "!list.textContent ? null : [...list.querySelectorAll('a')].map(a => a.getAttribute('href'))")
-        return self.until(lambda: (found := self.driver.execute_script(shown)) is not None and [found])[0]
+        return wait(lambda: (found := self.driver.execute_script(shown)) is not None and [found])[0]
 
 
 def faults(driver, site):
@@ -63,7 +54,7 @@ def faults(driver, site):
         yield "after Escape the hits are still there"
     search.hits("eigenvalue")
     search.field.send_keys(Keys.ENTER)
-    if not search.until(lambda: driver.current_url.endswith(first)):
+    if not wait(lambda: driver.current_url.endswith(first)):
         yield f"Enter leads to {driver.current_url}, not to {first}"
     for page in ("chapter_05", "exercises_5", "glossary", "annotated"):  # short ones are loaded before Doxygen is done
         for again in range(3):
@@ -82,8 +73,7 @@ def main():
         sys.exit("usage: search.py SITE")
     skip_without_browser()
     if not os.path.exists(os.path.join(sys.argv[1], "lunr.min.js")):
-        print("skipped: the site was made without lunr (package libjs-lunr)")
-        sys.exit(SKIPPED)
+        skip("the site was made without lunr (package libjs-lunr)")
     with Browser() as browser:
         found = list(faults(browser.driver, sys.argv[1]))
     report(found, len(queries()), "queries")
