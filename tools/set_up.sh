@@ -113,25 +113,13 @@ missing() {
 
 # The missing packages for panels, if this system has them all, or has no lists of packages yet.
 missing_for_panels() {
-    [ -z "$kit" ] && [ ! -e "$build/panels_stand_still" ] || return 0
+    [ -z "$kit" ] && [ ! -e "$build/panels_stand_still" ] && have_one apt-get || return 0
     lacking=$(missing "$for_panels")
-    [ -z "$lacking" ] || have_one apt-get || {
-        say_panels_stand_still "there is no apt-get here to install what they need, in Debian $lacking"
-        return
-    }
     for package in $lacking; do
-        case "$(candidate "$package")/$(candidate gnuplot-nox)" in
-        '(none)'/* | /?*) say_panels_stand_still "this system has no package $package"; return ;;
-        esac
+        case "$(candidate "$package")/$(candidate gnuplot-nox)" in '(none)'/* | /?*) return ;; esac
     done
     printf '%s' "$lacking"
 }
-# Said once per build folder.
-say_panels_stand_still() {
-    say "the site's panels stand still: $1"
-    mkdir -p "$build" && : >"$build/panels_stand_still"
-}
-panels_stand_still() { say_panels_stand_still "$1. This lets them move: $apt_install $(missing "$for_panels")"; }
 
 # ---- Installing --------------------------------------------------------------------------------
 
@@ -182,17 +170,14 @@ catch2_from_backports() {
     return $status
 }
 
-# Installs only what is needed, after that has failed together with the packages for panels.
-without_panels() {
-    [ -n "$wanted_for_panels" ] || return 1
-    panels_stand_still 'apt-get failed'
-    packages=${packages%"$wanted_for_panels"}
-    # shellcheck disable=SC2086  # a list of words
-    [ -z "$packages" ] || apt install --no-install-recommends $packages
-}
-
-# Without the right to install: prints the command for somebody who has it.
+# Without the right to install: prints the command for somebody who has it. If only packages for panels are missing, says
+# so once per build folder and goes on.
 refuse() {
+    [ "$wanted" != "$wanted_for_panels" ] || {
+        say "the site's panels stand still: $1. This lets them move: $apt_install $wanted"
+        mkdir -p "$build" && : >"$build/panels_stand_still"
+        return
+    }
     packages=$wanted
     offers_catch2 || packages=$(echo "$wanted" | sed 's/catch2 //')  # CMake fetches it
     say "$1. This command installs what is missing:"
@@ -220,27 +205,22 @@ install() {
         sudo=
     elif have_one sudo; then
         sudo=sudo
-    elif [ "$wanted" = "$wanted_for_panels" ]; then
-        panels_stand_still 'you are not root, so I cannot install what they need'
-        return
     else
         refuse 'you are not root, so I cannot install it'
+        return
     fi
     if on_terminal && [ "$yes" = no ]; then
         printf 'course: install it now with apt-get? [Y/n] ' >&2
         read -r answer || answer=n
         case $answer in
         '' | [yY]*) ;;
-        *)
-            [ "$wanted" != "$wanted_for_panels" ] || { panels_stand_still 'nothing was installed'; return; }
-            refuse 'nothing was installed'
-            ;;
+        *) refuse 'nothing was installed'; return ;;
         esac
     fi
     if [ -n "$sudo" ]; then
         if on_terminal; then sudo -v; else sudo -n true 2>/dev/null; fi || {
-            [ "$wanted" != "$wanted_for_panels" ] || { panels_stand_still 'sudo does not let me install what they need'; return; }
             refuse 'sudo does not let me install it'
+            return
         }
     fi
 
@@ -250,7 +230,8 @@ install() {
     packages=$wanted
     offers_catch2 || packages=$(echo "$wanted" | sed 's/catch2 //')
     # shellcheck disable=SC2086  # a list of words
-    [ -z "$packages" ] || apt install --no-install-recommends $packages || without_panels ||
+    [ -z "$packages" ] || apt install --no-install-recommends $packages ||
+        { [ "$wanted" = "$wanted_for_panels" ] && refuse 'apt-get failed'; } ||
         stop 3 "apt-get failed: $(sed -n 's/^E: //p' "$log" | head -n 1) (all that it said: $log)"
     case $wanted in *"catch2 "*)
         have_catch2 || catch2_from_backports ||

@@ -104,18 +104,6 @@ Next: open it in a browser; ./course list shows the exercises"
     is "$(sed -n 's/.*--target //p' calls)" docs
 }
 
-test_on_a_terminal_tour_shows_that_it_goes_on() {
-    command -v script >/dev/null || exit 77
-    printf '[1/2] Building CXX object a.cpp.o\n[2/2] Running chapter 03_swing\n' >build_says
-    : >build_pauses
-    printf '%s\n' ". '$here/fixture.sh'" "folder=$folder program=$program ctest=$ctest" 'course tour' >on_terminal.sh
-    script -qec 'sh on_terminal.sh' /dev/null >out </dev/null || fail "exit status $?"
-    tr '\r' '\n' <out >err
-    grep -q '[0-9] s  \[1/2\] Building CXX object a.cpp.o' err || fail 'it does not show the seconds'
-    says err '  Running chapter 03_swing'
-    grep -q '[1-9][0-9]* s  \[2/2\]' err || fail 'the seconds do not go on'
-}
-
 test_tour_that_fails_says_why_without_a_table() {
     cat >build_says <<'END'
 [1/4] Building CXX object a.cpp.o

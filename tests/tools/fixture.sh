@@ -13,7 +13,6 @@ new_fixture() {
 echo "\$*" >>'$folder/calls'
 [ "\$1" = --build ] || exec '$real_cmake' "\$@"
 cat '$folder/build_says'
-[ ! -e '$folder/build_pauses' ] || sleep 3
 exit \$(cat '$folder/build_status')
 END
     echo 0 >build_status

@@ -17,17 +17,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<std::string> lines_of(const std::string& text) {
-    std::istringstream stream(text);
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
-
 // The code without the task above it and without the marks round the answer.
 std::vector<std::string> code_of(const fs::path& file) {
     std::vector<std::string> code;
-    for (const std::string& line : lines_of(sanitized(contents(file))))
+    std::istringstream lines(sanitized(contents(file)));
+    for (std::string line; std::getline(lines, line);)
         if (line.find("// [answer]") == std::string::npos) code.push_back(line);
     const auto begin = std::find_if(code.begin(), code.end(), [](const std::string& line) {
         return !line.empty() && !line.starts_with("//") && !line.starts_with("#");
@@ -104,25 +98,13 @@ void solution(const std::string& name) {
     if (!read_progress()[exercise.name].passed)
         throw Stop(Status::wrong,
                    "the solution is shown when your own answer has passed:  ./course check " + exercise.name);
-    const auto yours = code_of(exercise.file()), ours = code_of(exercise.solution());
-    std::size_t width = 8;
-    for (const auto& line : yours) width = std::max(width, width_of(line));
-    std::size_t whole = 0;
-    for (const auto& line : ours) whole = std::max(whole, width + 3 + width_of(line));
-
     std::printf("%s\n\n", bold(exercise.place() + " " + exercise.name + ", " + exercise.title).c_str());
-    if (whole <= columns()) {
-        std::printf("%s | %s\n", padded("Yours", width).c_str(), "The course's");
-        for (std::size_t i = 0; i < std::max(yours.size(), ours.size()); ++i)
-            std::printf("%s | %s\n", padded(i < yours.size() ? yours[i] : "", width).c_str(),
-                        i < ours.size() ? ours[i].c_str() : "");
-    } else {
-        std::printf("Yours\n\n");
-        for (const auto& line : yours) std::printf("    %s\n", line.c_str());
-        std::printf("\nThe course's\n\n");
-        for (const auto& line : ours) std::printf("    %s\n", line.c_str());
+    for (const auto& [whose, file] : {std::pair{"Yours", exercise.file()}, {"The course's", exercise.solution()}}) {
+        std::printf("%s\n\n", whose);
+        for (const auto& line : code_of(file)) std::printf("    %s\n", line.c_str());
+        std::printf("\n");
     }
-    std::printf("\n%s", wrapped(exercise.learned, 2).c_str());
+    std::printf("%s", wrapped(exercise.learned, 2).c_str());
 }
 
 void reset(const std::string& name, bool all) {
