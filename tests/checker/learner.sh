@@ -75,26 +75,6 @@ test_a_misspelt_name_gets_the_nearest() {
     done
 }
 
-test_json_says_just_what_programs_need() {
-    cp "$mistake" $file
-    expect 1 course check velocity_now --json --seed 7
-    is "$(sed 's/"seconds":[0-9.]*/"seconds":S/' out)" '{"exercise":"velocity_now","verdict":"wrong",'\
-'"property":"a constant acceleration gives exactly the velocity at the newest frame",'\
-'"misconception":"middle","seed":7,"seconds":S}'
-}
-
-test_a_seed_repeats_a_check() {
-    cp "$mistake" $file
-    expect 1 course check velocity_now --seed 7
-    grep -A2 'For example' out >first
-    expect 1 course check velocity_now --seed 7
-    grep -A2 'For example' out | cmp -s - first || fail 'the same seed draws other numbers'
-    expect 1 course check velocity_now --seed 8
-    ! grep -A2 'For example' out | cmp -s - first || fail 'another seed draws the same numbers'
-    expect 2 course check velocity_now --seed=-1
-    says err "course: --seed '-1': must be"
-}
-
 test_another_file_is_checked_and_not_counted() {
     cp $solved answer.txt
     expect 0 course check velocity_now --file answer.txt

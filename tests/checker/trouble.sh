@@ -1,20 +1,8 @@
-# A learner in trouble: files that are gone or damaged, interrupts, two commands at once.
+# A learner in trouble: interrupts, two commands at once.
 
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../tools/expect.sh"
 . "$here/fixture.sh"
-
-test_a_deleted_file_comes_back_by_reset() {
-    rm $file
-    : >source/exercises/01_derivatives/velocity_now_old.cpp
-    ln -s me@host.1 source/exercises/01_derivatives/.#velocity_now.cpp
-    expect 2 course check velocity_now
-    is "$(cat err)" "course: $file is not there; ./course reset velocity_now brings it back"
-    is "$(state velocity_now)" 'not started'
-    expect 0 course reset velocity_now
-    cmp -s $file build/exercises/generated/velocity_now_stub.cpp || fail 'the file did not come back'
-    is "$(ls -A source/exercises/01_derivatives | grep -c velocity_now)" 3
-}
 
 test_two_commands_at_once_lose_nothing() {
     names=$(basename -s .cpp source/exercises/01_derivatives/*.cpp)
@@ -56,15 +44,6 @@ test_a_killed_check_leaves_no_compiler() {
     wait_until [ -s running ]
     kill -KILL $running
     wait_until is_gone "$(cat running)"
-}
-
-test_commands_that_are_damaged_say_how_they_are_made_again() {
-    own_build
-    for text in '{"compile": [' '{}'; do
-        echo "$text" >build/exercises/commands.json
-        expect 3 course check velocity_now
-        is "$(grep -v '^Building' err)" "course: $folder/build/exercises/commands.json is damaged; delete the folder build, and ./course will make it again"
-    done
 }
 
 # A zombie is gone, too.

@@ -25,6 +25,8 @@ test_gradescope_gets_its_results() {
     cp $solved autograder/submission/velocity_now.cpp
     expect 0 sh "$source/docs/teaching/run_autograder"
     says autograder/results/results.json '"score": 1'
+    says autograder/results/results.json '"max_score": 1'
+    says autograder/results/results.json '"status": "passed"'
     cp "$mistake" autograder/submission/velocity_now.cpp
     EXERCISES='velocity_now 1.2' expect 0 sh "$source/docs/teaching/run_autograder"
     is "$(grep -c '"score": 0' autograder/results/results.json)" 2

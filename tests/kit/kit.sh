@@ -81,22 +81,6 @@ test_with_solutions_it_shows_one_after_a_pass() {
     says out "An answer is to be one's own"
 }
 
-# A kit that is mended, or a newer one in its place: what was graded by the old one is graded again.
-test_a_mended_kit_grades_anew() {
-    bwrap --ro-bind / / --unshare-all true 2>/dev/null || exit 77
-    expect 0 make_kit kit
-    mkdir -p class/ada class/ben
-    cp "$source/solutions/01_derivatives/velocity_now.cpp" class/ada
-    cp kit/$velocity_now class/ben
-    expect 1 kit/course grade class
-    expect 1 kit/course grade class
-    says err ' 2 were graded before'
-    echo >>kit/kit/check
-    expect 1 kit/course grade class
-    says out '1 of 2 right'
-    silent_on err 'graded before'
-}
-
 # Runs in the kit, with nothing of the checkout in sight; what it is to check is in ../answers.
 works() {
     expect 1 ./course check velocity_now
@@ -187,20 +171,11 @@ test_nothing_is_written_over() {
     refused "'' is no name of a folder" make_kit ''
 }
 
-test_a_full_disk_leaves_nothing() {
-    mkdir disk
-    expect 2 bwrap --dev-bind / / --size 2000000 --tmpfs "$folder/disk" env FIXTURE_SOURCE="$checkout" \
-        FIXTURE_BUILD="$real_build" FIXTURE_CMAKE=true FIXTURE_CTEST=false \
-        sh -c '"$1" kit disk/kit; status=$?; ls -A disk; exit $status' kit "$program"
-    is "$(grep -v '^Building' err | grep -c 'cannot be written (.*is the disk full')" 1
-    is "$(cat out)" ''
-}
-
 program=$4 real_build=$5 leaks=$6
 begin "$@"
 checkout=$source
 [ -e "$real_build/site_kit/html/index.html" ] || { echo 'skipped: the site is not made'; exit 77; }
-case $function in *without_the_checkout | *full_disk*)
+case $function in *without_the_checkout)
     bwrap --dev-bind / / true 2>/dev/null || { echo 'skipped: bubblewrap does not work here'; exit 77; } ;;
 esac
 case $function in *solutions*)
