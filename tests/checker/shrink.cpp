@@ -27,10 +27,6 @@ PROPERTY("a product, of numbers: large, small [and between]") {
         REQUIRE(close(learner(a, b), a * b, 1e-12));
     }
 }
-PROPERTY("any product") {
-    Draw draw;
-    for (int i = 0; i < 100; ++i) REQUIRE(std::isfinite(learner(draw.real(-10, 10), draw.spread(1e-6, 1e6, i, 10))));
-}
 }  // namespace of_product
 
 TOLD(root, checker::many_are_right)
@@ -68,19 +64,9 @@ PROPERTY("what moves is moved") {
 
 namespace {
 
-using checker::Kind;
+using checker::answer_of, checker::Kind;
 
 int failures = 0;
-unsigned asked = 0;  // how often the answer has been
-
-template <class Function>
-checker::Answer counting(Function* function) {
-    asked = 0;
-    return [answer = checker::answer_of(function)](const checker::Numbers& arguments) {
-        ++asked;
-        return answer(arguments);
-    };
-}
 
 void expect(bool holds, const char* what, std::uint64_t seed, const checker::Verdict& verdict) {
     if (holds) return;
@@ -108,37 +94,32 @@ void expect_short(const char* what, const char* exercise, const checker::Answer&
 
 int main() {
     const std::string everywhere = "the answer is the right one wherever the task allows the arguments, to roundoff";
-    expect_short("wrong everywhere", "product", counting(+[](double a, double b) { return a + b; }),
+    expect_short("wrong everywhere", "product", answer_of(+[](double a, double b) { return a + b; }),
                  "a product, of numbers: large, small [and between]", 7);
     expect_short("wrong where a number is large", "product",
-                 counting(+[](double a, double b) { return a > 7 ? 0 : a * b; }),
+                 answer_of(+[](double a, double b) { return a > 7 ? 0 : a * b; }),
                  "a product, of numbers: large, small [and between]", 8);
     expect_short("wrong by less than a property sees", "product",
-                 counting(+[](double a, double b) { return a * b * (1 + 5e-13); }), everywhere, 8);
-    expect_short("no number", "root", counting(+[](double x) { return x / 2 + 0.6; }), "its square is what was given",
+                 answer_of(+[](double a, double b) { return a * b * (1 + 5e-13); }), everywhere, 8);
+    expect_short("no number", "root", answer_of(+[](double x) { return x / 2 + 0.6; }), "its square is what was given",
                  6);
 
     unsigned named = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         const std::string stays = "what stands, stays", moves = "what moves is moved";
         checker::Verdict verdict = checker::session().check(
-            "moved", counting(+[](double x, double v) { return v == 0 ? x + 1 : x + v * v; }), seed);
+            "moved", answer_of(+[](double x, double v) { return v == 0 ? x + 1 : x + v * v; }), seed);
         expect(verdict.property == stays && verdict.diagnosis.label().empty(),
                "what is shown is none of the mistake, which is not named", seed, verdict);
         // Another mistake at x = 1, which is not to be shown for the one that is named.
         verdict = checker::session().check(
-            "moved", counting(+[](double x, double v) { return x == 1   ? v
-                                                               : v == 0 ? x
-                                                                        : x + v * v; }), seed);
+            "moved", answer_of(+[](double x, double v) { return x == 1   ? v
+                                                                : v == 0 ? x
+                                                                         : x + v * v; }), seed);
         expect(verdict.diagnosis.label() != "by_square" ||
                    (verdict.property == moves && verdict.arguments.substr(0, 3) != "(1,"),
                "what is shown is a case of the mistake that is named", seed, verdict);
         named += verdict.diagnosis.label() == "by_square";
-
-        verdict = checker::session().check("product", counting(+[](double a, double b) { return b > 1e5 ? 0 : a * b; }),
-                                           seed);
-        expect(asked <= 400, "an answer is asked at most twice as often", seed, verdict);
-        expect(verdict.kind == Kind::wrong, "an answer is asked at most twice as often", seed, verdict);
     }
     expect(named > 20, "the mistake is named wherever there is a case of it", named, {});
     std::printf("%d failures\n", failures);

@@ -7,12 +7,6 @@
 
 #include "SOURCE/solutions/01_derivatives/velocity_now.cpp"
 
-// ---- includes the hidden tests
-// velocity_now does_not_compile: properties.cpp
-#include "exercise.hpp"
-
-#include "SOURCE/tests/exercises/01_derivatives/velocity_now/properties.cpp"
-
 // ---- includes what the library has
 // half_step_jacobian does_not_compile: includes include/timestep/gyroscopic/half_step_jacobian.hpp
 #include "exercise_eigen.hpp"
