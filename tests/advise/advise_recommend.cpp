@@ -83,17 +83,6 @@ TEST_CASE("a tether gets implicit Euler, and short substeps where it must bounce
     }
 }
 
-TEST_CASE("in uneven frames the answer depends on the oscillation, its size and the accuracy", "[library][I13]") {
-    CHECK(in_frames(30, 0, 1.0 / 60, 1.0 / 30).method == "Runge-Kutta 4");
-    CHECK(in_frames(30, 0, 1.0 / 60, 1.0 / 30).substeps == 1);
-    CHECK(in_frames(120, 0, 1.0 / 60, 1.0 / 30).substeps == 4);
-    CHECK(in_frames(1000, 0, 1.0 / 60, 1.0 / 30).method == "implicit Euler");
-    CHECK(in_frames(1000, 0, 1.0 / 60, 1.0 / 30, {.keeps_size = true}).method == "implicit midpoint");
-    CHECK(in_frames(30, 0, 1.0 / 60, 1.0 / 30, {.keeps_size = true}).method == "implicit midpoint");
-    CHECK(in_frames(1000, 2, 1.0 / 60, 1.0 / 30, {.keeps_size = true}).method == "implicit Euler");  // midpoint rings
-    CHECK(in_frames(10, 20, 1.0 / 60, 1.0 / 30).method == "implicit Euler");  // right, and cheaper
-}
-
 // The answer's own substeps, with frames at random and in a pattern.
 TEST_CASE("the method recommended for uneven frames is stable, and as accurate as asked", "[library][I13]") {
     Random random(27);

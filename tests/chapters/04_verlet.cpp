@@ -1,39 +1,17 @@
-// The claims of chapter 4 about Verlet's positions, its forms, and the constant-force method.
+// The claims of chapter 4 about Verlet's positions and its forms. (Chapter 6's study measures their orders.)
 
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
 #include <limits>
-#include <vector>
 
-#include <timestep/measured_order.hpp>
 #include <timestep/methods.hpp>
 #include <timestep/models/damped_spring.hpp>
 #include <timestep/models/pendulum.hpp>
 #include <timestep/models/projectile.hpp>
 #include <timestep/models/spring.hpp>
-#include <timestep/run.hpp>
 
 using namespace timestep;
-
-namespace {
-
-const State<double> start{0, 1.0, 0.5};
-
-double distance(const State<double>& a, const State<double>& b) { return std::hypot(a.x - b.x, a.v - b.v); }
-
-// 400, 800 and 1600 steps over 1.5 s: the next term of each error is below a percent of it.
-template <class Method, class Model>
-double global_order(const Method& method, const Model& model) {
-    std::vector<double> h, error;
-    for (const long steps : {400L, 800L, 1600L}) {
-        h.push_back(1.5 / double(steps));
-        error.push_back(distance(run(method, model, start, h.back(), steps), model.exact(start, 1.5)));
-    }
-    return measured_order(h, error);
-}
-
-}  // namespace
 
 TEST_CASE("symplectic Euler moves the position with the velocity of the same step", "[I06][ch4]") {
     const Pendulum pendulum(1.5);
@@ -88,29 +66,6 @@ TEST_CASE("put on the floor with \"before\" left alone, a ball stays there", "[c
         CHECK(now.x == 0);
         CHECK(before.x == 0);
     }
-}
-
-TEST_CASE("Verlet in all its forms and the constant-force method have the order they declare", "[I10][I09][ch4]") {
-    for_each_verlet_method([](const auto& method) {
-        INFO(method.name);
-        CHECK(std::fabs(global_order(method, Spring(1.3)) - method.order) < 0.05);
-    });
-    CHECK(std::fabs(global_order(constant_acceleration, DampedSpring(1.3, 0.2)) - constant_acceleration.order) < 0.05);
-}
-
-TEST_CASE("a single step of velocity Verlet, leapfrog and constant acceleration errs by one order more", "[I10][ch4]") {
-    const Spring spring(1.3);
-    const auto local = [&](const auto& method) {
-        std::vector<double> h, error;
-        for (const double step : {0.02, 0.01, 0.005}) {
-            h.push_back(step);
-            error.push_back(distance(method.step(spring, start, step), spring.exact(start, step)));
-        }
-        return measured_order(h, error);
-    };
-    CHECK(std::fabs(local(velocity_verlet) - 3) < 0.05);
-    CHECK(std::fabs(local(leapfrog) - 3) < 0.05);
-    CHECK(std::fabs(local(constant_acceleration) - 2) < 0.05);
 }
 
 TEST_CASE("with equal steps both repairs are plain Verlet", "[I10][ch4]") {

@@ -1,4 +1,4 @@
-// Chapter 6: the rule for scenes of many springs, and what a scene leaves out.
+// Chapter 6: the rule for scenes of many springs.
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -7,17 +7,6 @@
 #include <random>
 
 #include <Eigen/Dense>
-
-#include <timestep/methods/semi_implicit_euler.hpp>
-#include <timestep/models/damped_spring.hpp>
-#include <timestep/models/drag.hpp>
-#include <timestep/models/projectile.hpp>
-#include <timestep/run.hpp>
-#include <timestep/scene.hpp>
-
-#include "chapters/06_stability/study/mixed.hpp"
-
-using namespace timestep;
 
 // The chapter's rule for scenes of many springs: at each body the sum of k (1/m + r²/I), twice the largest
 // of them. A spring's energy is at most twice what its ends would store one by one, and an end of a body
@@ -56,23 +45,4 @@ TEST_CASE("twice the largest sum of k (1/m + r^2/I) is never below the fastest o
         nearest = std::max(nearest, fastest / (2 * sum.maxCoeff()));
     }
     CHECK(nearest > 0.7);  // so the factor two is needed
-}
-
-// The scene with a drag of zero computes the term, adds −0 · |v| v = ∓0 to the sum, and ends at the
-// same place; the scene without it does not compute it, and is of another type.
-TEST_CASE("a term left out is a term of zero, but for its instructions", "[ch6]") {
-    const DampedSpring legs(10.0, 0.1);
-    const Projectile gravity(-9.81);
-    const Scene named(legs, gravity, Drag(0.0));
-    const Scene left_out(legs, gravity);
-    STATIC_REQUIRE(sizeof(left_out) < sizeof(named));
-    const State start{0, 1.0, 0.0};
-    CHECK(run(semi_implicit_euler, named, start, 0.01, 500).x ==
-          run(semi_implicit_euler, left_out, start, 0.01, 500).x);
-}
-
-TEST_CASE("a body's scene holds the terms it names, and nothing else", "[ch6]") {
-    STATIC_REQUIRE(sizeof(BodyScene{Weight(9.81)}) == sizeof(double));
-    STATIC_REQUIRE(sizeof(BodyScene{Weight(9.81), Ground(0.5)}) == 2 * sizeof(double));
-    STATIC_REQUIRE(!decltype(mixed::Ball::inertia)::gyroscopic);
 }

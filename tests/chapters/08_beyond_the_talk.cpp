@@ -90,22 +90,6 @@ TEST_CASE("Adams-Bashforth goes on from its last slope, and anew after an impuls
     CHECK(rule.step(I, three, h / 2).omega == buss_2.step(I, three, h / 2).omega);
 }
 
-TEST_CASE("while no guard acts, Box3D, Bullet and MuJoCo take the talk's step", "[ch8]") {
-    RandomInertia random(24);
-    for (int n = 0; n < 300; ++n) {
-        const Body like = random.inertia<double>(20);
-        const V I = like.moments / like.moments.maxCoeff();
-        const Body inertia(I.x(), I.y(), I.z());
-        const V w = random.direction<double>();
-        const V talk = implicit_gyroscopic.step(inertia, w, 0.1);
-        CHECK((after(mujoco_spin, inertia, spinning(w), 0.1).omega - talk).norm() == 0);
-        CHECK((after(bullet_spin, inertia, spinning(w), 0.1).omega - talk).norm() < 1e-12);
-        CHECK((Box3dGyroscopic{}.step(inertia, w, 0.1) - talk).norm() < 1e-12);
-        const Spin four = after(mujoco_spin, inertia, spinning(w), 0.1, 4);
-        CHECK((after(box3d_spin, inertia, spinning(w), 0.4).omega - four.omega).norm() < 1e-11);
-    }
-}
-
 #ifdef TIMESTEP_WITH_BULLET
 TEST_CASE("Bullet itself does what its rule here does, guard and all", "[ch8]") {
     using Real = btScalar;

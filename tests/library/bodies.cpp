@@ -1,12 +1,10 @@
-// A body's step put together from terms, and bodies sorted by kind.
+// A body's step put together from terms. (That sorted bodies move as each does alone, chapter 6's study checks.)
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 
 #include <cmath>
 #include <limits>
-#include <vector>
 
-#include <timestep/gyroscopic/passive_gyroscopic.hpp>
 #include <timestep/rigid/bodies.hpp>
 #include <timestep/rigid/shapes.hpp>
 
@@ -19,9 +17,6 @@ namespace {
 struct Ball {
     UniformInertia<double> inertia;
     double mass, radius;
-};
-struct Box {
-    PrincipalInertia<double> inertia;
 };
 struct Nothing {};  // a body that has nothing but its motion
 
@@ -75,49 +70,6 @@ TEST_CASE("a ball in the air neither rubs nor rolls", "[library][ch6]") {
     for (int n = 0; n < 700; ++n) all.step(ball, a, 0.001), weight_only.step(ball, b, 0.001);
     CHECK(a.x == b.x);
     CHECK(a.turning.omega == b.turning.omega);
-}
-
-namespace {
-// A solver that cannot be compiled: whoever steps with it, does not compile.
-struct Poison {
-    template <class Inertia, class Real>
-    Vector3<Real> step(const Inertia&, const Vector3<Real>& omega, Real) const {
-        static_assert(Inertia::gyroscopic && !Inertia::gyroscopic, "gyroscopic code was compiled");
-        return omega;
-    }
-};
-}  // namespace
-
-TEST_CASE("a group of balls compiles no gyroscopic code", "[library][N41][ch6]") {
-    Bodies<double, Ball> balls;
-    balls.add(ball, lying(ball, V(1, 0, 0)));
-    balls.of<Ball>()[0].state.turning.omega = V(1, 2, 3);
-    balls.step(BodyScene{Weight(9.81), Gyroscopic(Poison{})}, 0.01);  // this line compiles
-    CHECK(balls.of<Ball>()[0].state.turning.omega == V(1, 2, 3));
-}
-
-TEST_CASE("sorted bodies move as each does alone, to the last bit", "[library][ch6]") {
-    const BodyScene scene{Weight(9.81), Gyroscopic(passive_gyroscopic)};
-    Bodies<double, Ball, Box> bodies;
-    std::vector<BodyState<double>> balls, boxes;
-    const Box crate{box(3.0, 1.0, 2.0, 3.0)};
-    for (int i = 0; i < 5; ++i) {
-        BodyState<double> m = lying(ball, V(i, 1, 0));
-        m.turning.omega = V(i, 5, -2);
-        bodies.add(ball, m), balls.push_back(m);
-        bodies.add(crate, m), boxes.push_back(m);
-    }
-    CHECK(bodies.size() == 10);
-    for (int n = 0; n < 50; ++n) {
-        bodies.step(scene, 0.01);
-        for (auto& m : balls) scene.step(ball, m, 0.01);
-        for (auto& m : boxes) scene.step(crate, m, 0.01);
-    }
-    for (int i = 0; i < 5; ++i) {
-        CHECK(bodies.of<Ball>()[i].state.x == balls[i].x);
-        CHECK(bodies.of<Box>()[i].state.turning.q.coeffs() == boxes[i].turning.q.coeffs());
-    }
-    CHECK(bodies.of<Box>()[1].state.turning.omega != V(1, 5, -2));  // the boxes do tumble
 }
 
 TEST_CASE("a body that no scene could step is refused where it is added", "[library][ch6]") {

@@ -48,23 +48,6 @@ TEST_CASE("the message names the value and the rule", "[library]") {
                          Message("x = inf: must be a finite number"));
 }
 
-TEMPLATE_TEST_CASE("models refuse parameters with which they could not compute", "[library]", float, double,
-                   long double) {
-    using Limits = std::numeric_limits<TestType>;
-    const TestType one = 1, large = Limits::max();
-    for (const TestType bad : {Limits::quiet_NaN(), Limits::infinity(), -one}) {
-        CHECK_THROWS_AS(Spring(bad), std::invalid_argument);
-        CHECK_THROWS_AS(DampedSpring(bad, one), std::invalid_argument);
-        CHECK_THROWS_AS(DampedSpring(one, bad), std::invalid_argument);
-        CHECK_THROWS_AS(Spring<TestType>::from_stiffness(bad, one), std::invalid_argument);
-        CHECK_THROWS_AS(Spring<TestType>::from_stiffness(one, bad), std::invalid_argument);
-    }
-    CHECK_THROWS_AS(Spring<TestType>::from_stiffness(one, TestType(0)), std::invalid_argument);
-    // ω² and 2ζω would be infinite, though ω and ζ are not.
-    CHECK_THROWS_AS(Spring(large), std::invalid_argument);
-    CHECK_THROWS_AS(DampedSpring(TestType(4), large), std::invalid_argument);
-}
-
 TEST_CASE("a vector or a state is finite when all its numbers are", "[library]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double inf = std::numeric_limits<double>::infinity();

@@ -2,7 +2,6 @@
 
 #include <catch2/catch_test_macros.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -24,7 +23,6 @@ constexpr double h = 1.0 / 60;
 
 // 90 cm long, 30 cm thick, 1 kg.
 const plane::Capsule<SymmetricInertia<double>> pill{capsule(1.0, 0.15, 0.6), 1.0, 0.15, 0.3};
-const plane::Capsule<UniformInertia<double>> ball{sphere(1.0, 0.15), 1.0, 0.15, 0.0};
 
 plane::Ground rough(double rolling) { return {9.81, 0.5, rolling, plane::Arms::middle}; }
 
@@ -46,8 +44,6 @@ plane::BodyState any_throw(RandomInertia& random) {
     const plane::Orientation q(Eigen::AngleAxisd(1 + axis.x(), random.direction<double>()));
     return plane::placed(pill, q, 40 * axis, 0.5);
 }
-const auto to_the_end = [](const auto&...) { return true; };
-bool at_rest(const plane::BodyState& m) { return m.turning.omega.norm() < 1e-3 && m.v.norm() < 1e-3; }
 
 }  // namespace
 
@@ -87,24 +83,4 @@ TEST_CASE("a capsule that lies still stays, carried by its weight", "[library][N
         });
     CHECK((end.x - start.x).norm() < 1e-3 * pill.radius);
     CHECK(end.turning.q.angularDistance(lying) < 1e-3);
-}
-
-TEST_CASE("rolling resistance stops a ball when it should", "[library][N49]") {
-    // Angular impulse c r m g a second against the roll, about the line of contact: the ball has
-    // 7/5 m r v there, so it slows by 5/7 c g. Without resistance it rolls on.
-    const double v = 2, c = 0.1, slowing = 5.0 / 7 * c * 9.81;
-    auto start = plane::placed(ball, Quaternion<double>::Identity(), V(0, v / ball.radius, 0));
-    start.v = {v, 0, 0};
-    double stopped = -1;
-    const auto end =
-        run(passive_gyroscopic, ball, rough(c), start, 600, [&](const auto&, const auto& m, const Contacts&) {
-            if (stopped < 0 && at_rest(m)) stopped = m.turning.t;
-            return true;
-        });
-    CHECK(std::fabs(stopped - v / slowing) <= 2 * h);  // whole steps, and one until 1 mm/s
-    // Semi-implicit: the sum of the new speeds, short of ½ v²/slowing by half a step of the first
-    // speed.
-    CHECK(std::fabs(end.x.x() - v * v / slowing / 2) < v * h);
-    const auto on = run(passive_gyroscopic, ball, rough(0.0), start, 600, to_the_end);
-    CHECK(std::fabs(on.v.x() - v) < 1e-10);
 }

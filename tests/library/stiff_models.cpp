@@ -1,4 +1,5 @@
-// The models that are stiff: their derivatives, what they conserve, their exact solutions.
+// The models that are stiff: their derivatives, what they conserve, their exact solutions. (That stability functions
+// are what steps multiply by, chapter 6's study checks.)
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
@@ -6,9 +7,11 @@
 
 #include <Eigen/Core>
 
+#include <timestep/models/complex_decay.hpp>
 #include <timestep/models/prothero_robinson.hpp>
 #include <timestep/models/robertson.hpp>
 #include <timestep/models/van_der_pol.hpp>
+#include <timestep/stability_function.hpp>
 
 using namespace timestep;
 
@@ -74,4 +77,33 @@ TEST_CASE("Prothero and Robinson's exact solution solves its equation", "[librar
     CHECK(std::fabs(stiff.exact({0, 1}, 2.0).y - std::cos(2.0)) < 4 * eps);
     CHECK(std::fabs(stiff.exact({0, 7}, 1e-3).y - std::cos(1e-3)) < 4 * eps);
     CHECK_THROWS_AS(ProtheroRobinson(std::nan("")), std::invalid_argument);
+}
+
+TEST_CASE("a complex decay turns and shrinks as e^(lambda t)", "[models]") {
+    const ComplexDecay model(Complex(-0.5, 3.0));
+    const FirstOrder<Eigen::Vector2d> start{1, {2, -1}};
+    const FirstOrder<Eigen::Vector2d> later = model.exact(start, 0.7);
+    CHECK(later.t == 1.7);
+    // f is the derivative of the exact motion: a central difference is wrong by h²/6 |λ|³ |y|, some
+    // 1e-9.
+    const double h = 1e-5;
+    const Eigen::Vector2d slope = (model.exact(start, 0.7 + h).y - model.exact(start, 0.7 - h).y) / (2 * h);
+    CHECK((slope - model(0, later.y)).norm() < 1e-8);
+    CHECK((model.slope_y(0, later.y) * later.y - model(0, later.y)).norm() < 8 * eps * 3.1 * 3);
+    CHECK_THROWS_AS(ComplexDecay(Complex(NAN, 0)), std::invalid_argument);
+    CHECK_THROWS_AS(ComplexDecay(Complex(0, INFINITY)), std::invalid_argument);
+}
+
+// Where z⁴ is too large for a number, |R| is infinite, and not a NaN that compares with nothing.
+TEST_CASE("RK4 far out multiplies by more than any number", "[library]") {
+    for (const double size : {1e78, 1e103, 1e150, 1e155, 1e200, 1e308})
+        for (double angle = 0; angle < 6.3; angle += 0.1) {
+            INFO("z = " << size << " e^(i " << angle << ")");
+            CHECK(std::abs(stability_function(runge_kutta_4, std::polar(size, angle))) == INFINITY);
+        }
+    CHECK(std::abs(stability_function(runge_kutta_4, -1e103)) == INFINITY);
+    CHECK(std::abs(stability_function(runge_kutta_4, Complex(0, 1e103))) == INFINITY);
+    // And near by it is the series: its terms are 32/3 and less, rounded a few times each.
+    const double z = -2, series = 1 + z + z * z / 2 + z * z * z / 6 + z * z * z * z / 24;
+    CHECK(std::abs(stability_function(runge_kutta_4, z) - series) < 1e-15);
 }
