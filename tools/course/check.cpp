@@ -56,7 +56,7 @@ std::string way_on(const Exercise& exercise, const Verdict& verdict) {
     if (verdict.kind == "pass") {
         std::string text = "\n";
         if (exercise.has_solution())
-            text += "  The course's answer beside yours:  ./course solution " + exercise.name + "\n";
+            text += "  Your answer and the course's:  ./course solution " + exercise.name + "\n";
         const auto next = next_after(exercise);
         if (next)
             return text + "  Next:  " + next->place() + " " + next->title + "\n         " + shown(next->file()) + "\n";

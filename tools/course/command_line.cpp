@@ -179,7 +179,7 @@ void declare(CLI::App& app, Asked& asked) {
     check->add_flag("--json", asked.json, "as JSON, for programs");
     with_exercise("watch", "check again whenever you save, and go on after a pass");
     with_exercise("hint", "the next hint to an exercise").second->required();
-    with_exercise("solution", "the course's answer beside yours, after a pass").second->required();
+    with_exercise("solution", "your answer and the course's, after a pass").second->required();
     with_exercise("reset", "make your file what it was at the beginning")
         .first->add_flag("--all", asked.all, "all files of exercises/; what you have written is kept");
     declare_new(app, asked);

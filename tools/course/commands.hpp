@@ -68,7 +68,7 @@ void watch(const std::string& exercise);
 /// Shows one more hint than the last time.
 void hint(const std::string& exercise);
 
-/// After a pass, shows the course's answer beside the learner's.
+/// After a pass, shows the learner's answer and the course's.
 void solution(const std::string& exercise);
 
 /// Sets the learner's file, or `all` files, back to the beginning; the answer is kept beside.

@@ -98,10 +98,11 @@ void solution(const std::string& name) {
     if (!read_progress()[exercise.name].passed)
         throw Stop(Status::wrong,
                    "the solution is shown when your own answer has passed:  ./course check " + exercise.name);
+    const auto yours = code_of(exercise.file()), ours = code_of(exercise.solution());  // a refusal comes alone
     std::printf("%s\n\n", bold(exercise.place() + " " + exercise.name + ", " + exercise.title).c_str());
-    for (const auto& [whose, file] : {std::pair{"Yours", exercise.file()}, {"The course's", exercise.solution()}}) {
+    for (const auto& [whose, answer] : {std::pair{"Yours", yours}, {"The course's", ours}}) {
         std::printf("%s\n\n", whose);
-        for (const auto& line : code_of(file)) std::printf("    %s\n", line.c_str());
+        for (const auto& line : answer) std::printf("    %s\n", line.c_str());
         std::printf("\n");
     }
     std::printf("%s", wrapped(exercise.learned, 2).c_str());
