@@ -37,8 +37,8 @@ set key noautotitle textcolor rgb ink
 
 # The one table of what a method looks like. No two that stand in one picture share a colour, but for relatives, whose
 # dashes differ: a method and its variant, and the two orders of a splitting. A method of springs and a way to treat the
-# gyroscopic torque may share one, as they never meet. tools/live/colours.hpp holds the same for the panels, and a test
-# asks every plot that names a method for its colour. A new colour also gets a row in dark.tsv.
+# gyroscopic torque may share one, as they never meet. tools/live/colours.hpp has the same for the panels, and
+# docs/theme/live.js their dark ones; a test holds them equal. A new colour also gets a row in dark.tsv.
 exact                = "lc rgb '#8a8a8a' lw 5 dt 1"
 explicit_euler       = "lc rgb '#d55e00' lw 2.5 dt 1"
 implicit_euler       = "lc rgb '#0072b2' lw 2.5 dt (14,5)"

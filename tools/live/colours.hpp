@@ -1,6 +1,6 @@
 #pragma once
 // What a method looks like, in every picture: the colours and dashes of tools/figures/style.gp, by the names that
-// the library gives its methods. A test (tests/tools/page/colours.cpp) holds the two equal.
+// the library gives its methods. A test (tests/tools/page/svg_for_web.cpp) holds the two equal.
 
 #include <string_view>
 
