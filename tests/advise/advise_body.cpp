@@ -17,13 +17,6 @@ namespace {
 const Frames at_60_hz(1.0 / 60, 1.0 / 60);
 const Body box(13, 10, 5), ruler(0.0104, 1.0004, 1.01), plank(0.758, 0.787, 0.0313);
 
-BodyAdvice of(const std::vector<BodyAdvice>& all, const std::string& method) {
-    for (const BodyAdvice& advice : all)
-        if (advice.method == method) return advice;
-    FAIL("no advice on " << method);
-    return all.front();
-}
-
 }  // namespace
 
 // E/Δ stays, and Δ comes to 1 where the spin about the middle axis passes zero.
