@@ -35,11 +35,4 @@ void for_each_book(const Visit& visit) {
                           AdamsBashforthSpin<double>{}, spiers_spin, avian_spin});
 }
 
-/// Calls `visit(method)` for each method of the appendix.
-template <class Visit>
-void for_each_other(const Visit& visit) {
-    for_each_book(visit);
-    for_each_engine(visit);
-}
-
 }  // namespace timestep

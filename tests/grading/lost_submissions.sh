@@ -29,6 +29,27 @@ test_one_answer_beside_students_is_asked_about() {
     refused velocity_now.cpp bob.zip
 }
 
+# A class one folder further down than was named would be one submission, too.
+test_a_class_further_down_is_asked_about() {
+    mkdir parent
+    mv class parent/everybody
+    cp $solved parent/everybody/bob/best_gap.cpp
+    rm parent/everybody/bob/velocity_now.cpp
+    expect 2 course grade parent
+    is "$(cat err)" "course: parent: 'everybody' in it may be a class, with 'alice' and 'bob': if it is, \
+name that folder; if it is one submission, ./course grade parent --one"
+}
+
+# What lies in a folder that is left out, however much, refuses no answer.
+test_what_is_left_out_refuses_nobody() {
+    needs_isolation
+    mkdir -p class/alice/.git
+    (cd class/alice/.git && seq 20001 | xargs touch)
+    : >class/alice/.git/velocity_now
+    expect 1 course grade class --exercise velocity_now
+    silent_on out 'refused'
+}
+
 # What belongs to one submission is nobody else's: other exercises, hidden files, a whole kit.
 test_one_submission_stays_one() {
     mkdir -p one/.git one/.kim one/exercises/01_derivatives kit/include/timestep kit/exercises/01_derivatives kit/docs

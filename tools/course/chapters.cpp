@@ -7,6 +7,7 @@
 #include "files.hpp"
 #include "paths.hpp"
 #include "stop.hpp"
+#include "terminal.hpp"
 
 namespace course {
 
@@ -69,7 +70,7 @@ Chapter find_chapter(const std::string& name) {
     std::string known;
     for (const auto& chapter : read_chapters())
         known += (known.empty() ? "" : ", ") + std::to_string(chapter.number()) + " " + chapter.program;
-    throw Stop(Status::bad_use, "'" + name + "' is no chapter; there are " + known);
+    throw Stop(Status::bad_use, "'" + sanitized_line(name) + "' is no chapter; there are " + known);
 }
 
 }  // namespace course

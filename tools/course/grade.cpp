@@ -139,6 +139,8 @@ Grade check_one(const Submission& submission, const Exercise& exercise, const st
     } catch (const Stop& stop) {
         if (stop.status() == Status::interrupted) throw;
         grade.says = in_one_line(stop.what());
+    } catch (const std::exception& error) {  // of one check; the others go on
+        grade.says = in_one_line(error.what());
     }
     return grade;
 }
@@ -256,7 +258,6 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
 }  // namespace
 
 void grade(const Grading& grading) {
-    if (grading.jobs < 0) throw Stop(Status::bad_use, "--jobs must be 1 or more");
     const Pile pile = gather(grading);
     const fs::path desk = desk_for(grading);
     const Lock one_at_a_time(desk / "lock");

@@ -132,7 +132,8 @@ void where(const std::string& asked) {
     const auto slash = name.rfind('/');
     const std::vector<Run> runs = runs_meant(slash == std::string::npos ? "" : name.substr(0, slash));
     name.erase(0, slash + 1);
-    if (name.empty()) throw Stop(Status::bad_use, "'" + asked + "' names nothing; a name is 03/energy_mean, say");
+    if (name.empty())
+        throw Stop(Status::bad_use, "'" + sanitized_line(asked) + "' names nothing; a name is 03/energy_mean, say");
     std::vector<std::string> names;
     std::string not_made;
     for (const Run& run : runs) {
@@ -144,11 +145,12 @@ void where(const std::string& asked) {
     }
     if (std::find(names.begin(), names.end(), name) != names.end()) return;
     if (!not_made.empty())
-        throw Stop(
-            Status::missing,
-            "'" + asked + "': no run that was made here has that name; ./course tour makes those of " + not_made);
+        throw Stop(Status::missing, "'" + sanitized_line(asked) +
+                                        "': no run that was made here has that name; ./course tour makes those of " +
+                                        not_made);
     const std::string near = nearest(name, names);
-    throw Stop(Status::bad_use, "'" + asked + "': no run has a number, check, data file or figure of that name" +
+    throw Stop(Status::bad_use, "'" + sanitized_line(asked) +
+                                    "': no run has a number, check, data file or figure of that name" +
                                     (near.empty() ? "" : "; near to it: " + near));
 }
 

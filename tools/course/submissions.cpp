@@ -70,11 +70,31 @@ std::string below(const fs::path& root, const fs::path& place) {
     return in_one_line(place.lexically_relative(root).string());
 }
 
+// The exercise whose name the file has, in large or small letters.
+std::size_t named_after(const fs::path& file, const std::vector<Exercise>& exercises) {
+    const std::string stem = in_small_letters(file.stem().string());
+    const auto at = std::find_if(exercises.begin(), exercises.end(),
+                                 [&](const Exercise& exercise) { return exercise.name == stem; });
+    return static_cast<std::size_t>(at - exercises.begin());
+}
+
+// Nothing is graded in a folder that is left out, but a learner whose only answer is there is told.
+void note_answers_left_out(const fs::path& root, const fs::path& folder, const std::vector<Exercise>& exercises,
+                           Contents& contents) {
+    std::size_t seen = 0;
+    std::error_code error;
+    for (fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error), end;
+         !error && entry != end && ++seen <= most_entries; entry.increment(error)) {
+        const std::size_t at = named_after(entry->path(), exercises);
+        if (at < exercises.size() && is_source(entry->path()))
+            contents.found[at].refused.emplace_back(
+                entry->path(), "lies where nothing is graded, in '" + below(root, folder) + "': move it");
+    }
+}
+
 Contents contents_of(const fs::path& root, const std::vector<Exercise>& exercises) {
     Contents contents{std::vector<Found>(exercises.size()), {}, {}, {}};
     std::size_t seen = 0;
-    std::string hidden;  // the folder that is left out and that the entry is in
-    int hidden_depth = 0;
     std::error_code error;
     for (fs::recursive_directory_iterator entry(root, error), end; !error && entry != end; entry.increment(error)) {
         if (++seen > most_entries) {
@@ -82,28 +102,22 @@ Contents contents_of(const fs::path& root, const std::vector<Exercise>& exercise
             return contents;
         }
         const fs::path& file = entry->path();
-        const std::string name = file.filename().string(), stem = file.stem().string();
+        const std::string name = file.filename().string();
         const bool is_folder = fs::is_directory(entry->symlink_status(error));
-        if (entry.depth() <= hidden_depth) hidden.clear();
-        if (hidden.empty() && (is_ignored(name) || (is_folder && name.starts_with(".")))) {
+        if (is_ignored(name) || (is_folder && name.starts_with("."))) {
             contents.left_out.push_back(name.starts_with("._") ? "._*" : in_one_line(name));
-            if (is_folder) hidden = below(root, file);
-            hidden_depth = entry.depth();
+            entry.disable_recursion_pending();
+            if (is_folder) note_answers_left_out(root, file, exercises, contents);
             continue;
         }
-        if (hidden.empty() && !is_folder && is_source(file)) contents.sources.push_back(file);
-        const auto at = std::find_if(exercises.begin(), exercises.end(),
-                                     [&](const Exercise& exercise) { return exercise.name == in_small_letters(stem); });
-        if (at == exercises.end()) continue;
-        Found& found = contents.found[static_cast<std::size_t>(at - exercises.begin())];
-        if (!hidden.empty()) {
-            if (is_source(file))
-                found.refused.emplace_back(file, "lies where nothing is graded, in '" + hidden + "': move it");
-        } else if (at->name == stem && is_source(file)) {
+        if (!is_folder && is_source(file)) contents.sources.push_back(file);
+        const std::size_t at = named_after(file, exercises);
+        if (at == exercises.size()) continue;
+        Found& found = contents.found[at];
+        if (exercises[at].name == file.stem() && is_source(file))
             found.answers.push_back(file);
-        } else if (const std::string why = why_not(file, at->name); !is_folder && !why.empty()) {
+        else if (const std::string why = why_not(file, exercises[at].name); !is_folder && !why.empty())
             found.refused.emplace_back(file, why);
-        }
     }
     if (error) contents.fault = "holds a folder that cannot be read (" + error.message() + ")";
     return contents;
@@ -159,7 +173,8 @@ bool holds_answers(const fs::path& place, const std::vector<Exercise>& exercises
     std::error_code error;
     if (!fs::is_directory(fs::symlink_status(place, error))) return false;
     const auto answers = collect_answers({"", place}, exercises).all;
-    return std::any_of(answers.begin(), answers.end(), [](const HandedIn& answer) { return !answer.file.empty(); });
+    return std::any_of(answers.begin(), answers.end(),
+                       [](const HandedIn& answer) { return is_source(answer.file) && !answer.whole; });
 }
 
 const std::vector<Exercise>& all_exercises() {
@@ -174,6 +189,24 @@ bool may_be_anothers(const fs::path& entry) {
     if (fs::symlink_status(entry, error).type() != fs::file_type::regular) return true;
     static const std::set<std::string> packed{".zip", ".tar", ".gz", ".tgz", ".bz2", ".xz", ".zst", ".7z", ".rar"};
     return packed.contains(entry.extension().string()) || (is_source(entry) && !answers(entry, all_exercises()));
+}
+
+// The subfolders that hold answers and are no chapters. Two or more may be a class; none if the folder itself is one
+// submission.
+std::vector<std::string> learners_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code error;
+    if (!fs::is_directory(fs::symlink_status(folder, error))) return {};
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (name == "exercises" || answers(entry->path(), all_exercises())) return {};
+        const bool is_chapter = std::any_of(all_exercises().begin(), all_exercises().end(),
+                                            [&](const Exercise& exercise) { return exercise.chapter == name; });
+        if (!is_chapter && !name.starts_with(".") && !is_ignored(name) && holds_answers(entry->path(), all_exercises()))
+            names.push_back(in_one_line(name));
+    }
+    std::sort(names.begin(), names.end());
+    return names;
 }
 
 bool is_kit_of_a_learner(const fs::path& folder) {
@@ -277,6 +310,12 @@ Submissions find_submissions(const fs::path& place, const std::vector<Exercise>&
             anothers = anothers.empty() ? written : anothers;
     }
     if (found.all.empty()) refuse("holds no submission");
+    // A class one folder further down than was named would be one submission.
+    for (const Submission& inner : found.all)
+        if (const auto learners = learners_in(inner.place);
+            learners.size() > 1 && (found.all.size() == 1 || inner.name == "exercises"))
+            refuse("'" + inner.name + "' in it may be a class, with '" + learners[0] + "' and '" + learners[1] +
+                   "': if it is, name that folder; if it is one submission, ./course grade " + given + " --one");
     if (mark.empty()) return found;
     if (!anothers.empty())
         refuse("'" + mark + "' in it makes it one submission, and '" + anothers +

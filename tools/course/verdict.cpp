@@ -183,8 +183,6 @@ std::uint64_t new_seed() {
     return (static_cast<std::uint64_t>(random()) << 32) | random();
 }
 
-fs::path hidden_tests_of(const Exercise& exercise) { return read_commands(exercise).check; }
-
 std::vector<fs::path> parts_of_check(const Exercise& exercise) {
     const Commands commands = read_commands(exercise);
     const char* const header = exercise.eigen ? "exercise_eigen.hpp" : "exercise.hpp";

@@ -35,9 +35,6 @@ inline constexpr const char* too_much_work_for_the_tests = "the hidden tests";
 /// 64 random bits.
 std::uint64_t new_seed();
 
-/// The program that holds the hidden tests of the exercise.
-std::filesystem::path hidden_tests_of(const Exercise& exercise);
-
 /// The built files that a check compiles and links an answer with; the precompiled header comes last.
 std::vector<std::filesystem::path> parts_of_check(const Exercise& exercise);
 

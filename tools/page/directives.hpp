@@ -83,7 +83,7 @@ std::string fold_markdown(Context& context, const Directive& directive);
 /// they are the program: the first words must stand at its beginning, and all of them in their order. Throws
 /// std::out_of_range.
 std::vector<Part> parts_of(const std::string& source, const std::vector<std::string>& beginnings);
-/// A link to a source file in the site, to be resolved by link_sources once the site is made.
+/// A link to a source file in the site, to be resolved by finish_site once the site is made.
 std::string source_link(const std::string& file, int line, const std::string& text);
 
 /// Lines quoted from a source file: what stands between two marker lines, `/// [tag]`.
