@@ -57,5 +57,5 @@ TEST_CASE("what is opened and never closed is an error at its line") {
                                     {"{{x\n\n}}", "page.md:1: this {{ has no closing }}"},
                                     {"a `b\n\nc`", "page.md:1: this inline code has no closing backtick"},
                                     {"\n\n```\ncode\n``", "page.md:3: this code fence has no end"}};
-    for (const auto& [source, message] : cases) CHECK(message_of([&] { scan(source, "page.md"); }) == message);
+    for (const auto& each : cases) CHECK(message_of([&] { scan(each[0], "page.md"); }) == each[1]);
 }
